@@ -300,12 +300,23 @@ void dibujaCuadro() {
     dibujaParaElDiario(g.dibuja);
 }
 
+// El que se ve, una vez: también si ha dado un error, que es cuando hace más falta.
+static void explicaElCuadro() {
+    static bool explicado = false;
+    if (!explicaCuadro || g.termina || !g.dibuja || explicado)
+        return;
+    explicado = true;
+    g.reloj = g.ultimoCuadro;
+    explicaCuadro(dibujaCuadro, g.talla.ancho, g.talla.alto);
+}
+
 void compruebaGL(const std::string &donde) {
     for (GLenum e; (e = glGetError()) != GL_NO_ERROR;)
         if (errorGL.empty())
             errorGL = formatea("0x%04X", e);
     if (!errorGL.empty()) {
         const std::string mensaje = "error de OpenGL " + donde + ": " + errorGL;
+        explicaElCuadro();
         errorGL.clear(); // ya está dicho
         falla(mensaje, 3);
     }
@@ -517,10 +528,7 @@ void glutMainLoop(void) {
         apunta(orden.lugar, orden.tipo == Orden::ESPERA);
     }
     cedeAlNavegador();
-    if (explicaCuadro && !g.termina) {
-        g.reloj = g.ultimoCuadro; // se explica el que se ve
-        explicaCuadro(dibujaCuadro, g.talla.ancho, g.talla.alto);
-    }
+    explicaElCuadro();
     if (g.mide)
         mideCuadros(g.mide, primera);
     if (g.rasgos)

@@ -149,7 +149,7 @@ function sombreadoDe(datos) {
   }
   const { motivo } = sombreado.fragmento;
   partes.push(h('h2', {}, 'El shader que le da el color, línea a línea'),
-    motivo ? h('p', { class: 'malo' }, motivo) : fuenteDe(suyo.frag, sombreado.fragmento));
+    motivo ? h('p', { class: 'malo' }, motivo) : '', fuenteDe(suyo.frag, sombreado.fragmento));
   return partes;
 }
 

@@ -55,7 +55,7 @@ include(${CMAKE_SOURCE_DIR}/herramientas/explica/reescritor.cmake)
 set_target_properties(reescritor PROPERTIES POSITION_INDEPENDENT_CODE OFF)
 target_compile_options(reescritor PRIVATE -fexceptions)
 add_library(explica STATIC
-  ${carpeta}/cableado.cpp ${carpeta}/cuadro.cpp ${carpeta}/enviado.cpp ${carpeta}/estado.cpp ${carpeta}/imagenes.cpp
+  ${carpeta}/arrays.cpp ${carpeta}/cableado.cpp ${carpeta}/cuadro.cpp ${carpeta}/enviado.cpp ${carpeta}/estado.cpp ${carpeta}/imagenes.cpp
   ${carpeta}/lee_web.cpp ${carpeta}/nombres.cpp ${carpeta}/ordenes.cpp ${carpeta}/pixel.cpp ${carpeta}/primitivas.cpp
   ${carpeta}/programas.cpp ${carpeta}/sombreado.cpp ${carpeta}/sospechas.cpp ${carpeta}/sueltas.cpp ${carpeta}/web.cpp)
 target_include_directories(explica PRIVATE ${sin_ventana})

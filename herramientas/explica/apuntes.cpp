@@ -66,8 +66,6 @@ std::size_t Reescritor::nombreNuevo() {
 }
 
 std::string Reescritor::emite(const Palabra &palabra) const {
-    if (palabra.texto == "main")
-        return "explica_principal";
     if (fragmento && (palabra.texto == "gl_FragColor" || palabra.texto == "gl_FragData"))
         return "explica_" + palabra.texto.substr(3);
     return palabra.texto == "discard" ? "explica_descarta ( )" : palabra.texto;
@@ -76,7 +74,8 @@ std::string Reescritor::emite(const Palabra &palabra) const {
 std::string Reescritor::copia(std::size_t desde, std::size_t hasta) const {
     std::string s;
     for (; desde < hasta; ++desde)
-        s += emite(p[desde]) + " ";
+        s += (p[desde].texto == "main" && p[desde + 1].texto == "(" ? "explica_principal" : emite(p[desde])) +
+             " ";
     return s;
 }
 

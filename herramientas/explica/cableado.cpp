@@ -9,7 +9,7 @@
 namespace explica {
 namespace {
 
-const GLsizeiptr MUESTRA = 64; // vértices que se miran
+const GLsizeiptr MUESTRA = 65536; // vértices que se miran, como mucho
 
 GLint delAtributo(GLuint donde, GLenum cual) {
     GLint valor = 0;
@@ -40,18 +40,6 @@ Bytes deBufer(GLint bufer) {
     return bytes;
 }
 
-std::size_t bytesDe(GLenum tipo) {
-    switch (tipo) {
-    case GL_BYTE:
-    case GL_UNSIGNED_BYTE: return 1;
-    case GL_SHORT:
-    case GL_UNSIGNED_SHORT:
-    case GL_HALF_FLOAT: return 2;
-    case GL_DOUBLE: return 8;
-    default: return 4;
-    }
-}
-
 // Sin lo que haya en medio de otros atributos.
 std::string sumaDe(const Atributo &a) {
     const Bytes todo = deBufer(a.bufer);
@@ -67,11 +55,11 @@ std::string sumaDe(const Atributo &a) {
 void leePrimeros(Atributo &a) {
     const GLint antes = entero(GL_COPY_READ_BUFFER_BINDING);
     glBindBuffer(GL_COPY_READ_BUFFER, GLuint(a.bufer));
-    GLint bytes = 0;
-    glGetBufferParameteriv(GL_COPY_READ_BUFFER, GL_BUFFER_SIZE, &bytes);
+    glGetBufferParameteriv(GL_COPY_READ_BUFFER, GL_BUFFER_SIZE, &a.bytes);
     const GLsizeiptr ocupa = GLsizeiptr(sizeof(float)) * a.componentes, paso = a.paso ? a.paso : ocupa;
-    const GLsizeiptr hay = bytes - a.desplazamiento, todos = std::min(hay, MUESTRA * paso + ocupa);
-    if (a.componentes >= 1 && a.componentes <= 4 && a.desplazamiento >= 0 && hay >= ocupa) {
+    const GLsizeiptr hay = a.bytes - a.desplazamiento, todos = std::min(hay, MUESTRA * paso + ocupa);
+    if (a.tipo == GL_FLOAT && a.componentes >= 1 && a.componentes <= 4 && a.desplazamiento >= 0 &&
+        hay >= ocupa) {
         Bytes leidos(std::size_t(todos), 0); // de una vez, que en la página cada lectura espera
         glGetBufferSubData(GL_COPY_READ_BUFFER, a.desplazamiento, todos, leidos.data());
         for (GLsizeiptr i = 0; i < MUESTRA && i * paso + ocupa <= todos; ++i)
@@ -92,7 +80,7 @@ Atributo atributo(const Variable &v) {
     void *puntero = nullptr;
     glGetVertexAttribPointerv(donde, GL_VERTEX_ATTRIB_ARRAY_POINTER, &puntero);
     a.desplazamiento = reinterpret_cast<std::intptr_t>(puntero);
-    if (a.activo && a.bufer && a.tipo == GL_FLOAT)
+    if (a.activo && a.bufer)
         leePrimeros(a);
     std::array<float, 4> suyo{};
     glGetVertexAttribfv(donde, GL_CURRENT_VERTEX_ATTRIB, suyo.data());
@@ -104,12 +92,24 @@ struct Objetivo {
     GLenum sampler, objetivo, enlazada;
 };
 const Objetivo OBJETIVOS[] = {
-    {GL_SAMPLER_1D, GL_TEXTURE_1D, GL_TEXTURE_BINDING_1D},
-    {GL_SAMPLER_2D, GL_TEXTURE_2D, GL_TEXTURE_BINDING_2D},
-    {GL_SAMPLER_2D_SHADOW, GL_TEXTURE_2D, GL_TEXTURE_BINDING_2D},
-    {GL_UNSIGNED_INT_SAMPLER_2D, GL_TEXTURE_2D, GL_TEXTURE_BINDING_2D},
-    {GL_SAMPLER_3D, GL_TEXTURE_3D, GL_TEXTURE_BINDING_3D},
-    {GL_SAMPLER_CUBE, GL_TEXTURE_CUBE_MAP, GL_TEXTURE_BINDING_CUBE_MAP},
+#define DE_ENTEROS(sampler, objetivo)                                                                        \
+    {GL_SAMPLER_##sampler, GL_TEXTURE_##objetivo, GL_TEXTURE_BINDING_##objetivo},                            \
+        {GL_INT_SAMPLER_##sampler, GL_TEXTURE_##objetivo, GL_TEXTURE_BINDING_##objetivo}, {                  \
+        GL_UNSIGNED_INT_SAMPLER_##sampler, GL_TEXTURE_##objetivo, GL_TEXTURE_BINDING_##objetivo              \
+    }
+#define Y_DE_SOMBRA(cual)                                                                                    \
+    DE_ENTEROS(cual, cual), {                                                                                \
+        GL_SAMPLER_##cual##_SHADOW, GL_TEXTURE_##cual, GL_TEXTURE_BINDING_##cual                             \
+    }
+    Y_DE_SOMBRA(1D),
+    Y_DE_SOMBRA(2D),
+    Y_DE_SOMBRA(1D_ARRAY),
+    Y_DE_SOMBRA(2D_ARRAY),
+    DE_ENTEROS(3D, 3D),
+    DE_ENTEROS(CUBE, CUBE_MAP),
+    DE_ENTEROS(2D_RECT, RECTANGLE),
+    {GL_SAMPLER_2D_RECT_SHADOW, GL_TEXTURE_RECTANGLE, GL_TEXTURE_BINDING_RECTANGLE},
+    DE_ENTEROS(BUFFER, BUFFER),
 };
 
 GLint delNivel(GLenum objetivo, GLint nivel, GLenum cual) {
@@ -128,16 +128,21 @@ GLint deTextura(GLenum objetivo, GLenum cual) {
 std::string porQueNoEstaCompleta(const Textura &t) {
     if (!t.nombre)
         return "no hay ninguna en esa unidad";
-    if (EN_WEB)
-        return ""; // no se sabe
+    if (EN_WEB || t.objetivo == GL_TEXTURE_BUFFER)
+        return ""; // no se sabe, o no le hace falta nada
     if (!t.ancho)
         return "no tiene imagen (glTexImage2D)";
-    const bool conNiveles = t.reduce != GL_NEAREST && t.reduce != GL_LINEAR;
-    if (conNiveles && std::max(t.ancho, t.alto) > 1 && deTextura(t.objetivo, GL_TEXTURE_MAX_LEVEL) > 0 &&
-        !delNivel(t.objetivo, 1, GL_TEXTURE_WIDTH))
-        return "su filtro de reducción es " + nombreDe(GLenum(t.reduce)) +
-               " y solo tiene un nivel: falta glGenerateMipmap, o un filtro sin niveles";
-    return "";
+    if (t.reduce == GL_NEAREST || t.reduce == GL_LINEAR)
+        return "";
+    GLint hay = 1, faltan = 0;
+    for (GLint talla = std::max(t.ancho, t.alto) / 2;
+         talla && hay + faltan <= deTextura(t.objetivo, GL_TEXTURE_MAX_LEVEL); talla /= 2)
+        ++(faltan || !delNivel(t.objetivo, hay, GL_TEXTURE_WIDTH) ? faltan : hay);
+    return faltan ? "su filtro de reducción es " + nombreDe(GLenum(t.reduce)) + " y solo tiene " +
+                        (hay == 1 ? "un nivel"
+                                  : std::to_string(hay) + " niveles, faltan " + std::to_string(faltan)) +
+                        ": falta glGenerateMipmap, o un filtro sin niveles"
+                  : "";
 }
 
 // De la que está enlazada: lo que se lee de cada texel.
@@ -166,7 +171,7 @@ Textura textura(GLuint programa, const Variable &v, const Objetivo &o, bool conS
     const GLint antes = entero(GL_ACTIVE_TEXTURE);
     glActiveTexture(GLenum(GL_TEXTURE0 + t.unidad));
     t.nombre = entero(o.enlazada);
-    if (t.nombre) {
+    if (t.nombre && o.objetivo != GL_TEXTURE_BUFFER) {
         t.ancho = delNivel(o.objetivo, 0, GL_TEXTURE_WIDTH);
         t.alto = delNivel(o.objetivo, 0, GL_TEXTURE_HEIGHT);
         t.formato = delNivel(o.objetivo, 0, GL_TEXTURE_INTERNAL_FORMAT);
@@ -194,6 +199,18 @@ std::vector<std::string> etapasDe(const std::vector<Fuente> &fuentes, const std:
 
 } // namespace
 
+std::size_t bytesDe(GLenum tipo) {
+    switch (tipo) {
+    case GL_BYTE:
+    case GL_UNSIGNED_BYTE: return 1;
+    case GL_SHORT:
+    case GL_UNSIGNED_SHORT:
+    case GL_HALF_FLOAT: return 2;
+    case GL_DOUBLE: return 8;
+    default: return 4;
+    }
+}
+
 Cableado cableadoActual(bool sumas) {
     const GLuint programa = GLuint(entero(GL_CURRENT_PROGRAM));
     Cableado c;
@@ -214,7 +231,8 @@ Cableado cableadoActual(bool sumas) {
         const bool lista = v.nombre.back() == ']';
         const GLint desde = lista ? glGetUniformLocation(programa, primero.c_str()) : v.donde;
         c.uniformes.push_back({v, valorDe(programa, v), etapasDe(fuentes, v.nombre),
-                               seHaDado(programa, v.donde) || seHaDado(programa, desde)});
+                               seHaDado(programa, v.donde) || seHaDado(programa, desde),
+                               malDado(programa, v)});
         const auto o = std::find_if(std::begin(OBJETIVOS), std::end(OBJETIVOS),
                                     [&](const Objetivo &otro) { return otro.sampler == v.tipo; });
         if (o != std::end(OBJETIVOS))

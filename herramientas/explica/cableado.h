@@ -13,7 +13,7 @@ struct Atributo {
     Variable variable;
     bool activo = false;    // su array
     bool constante = false; // no lo hay y se le ha dado un valor, el mismo para todos los vértices
-    GLint bufer = 0, componentes = 0, paso = 0;
+    GLint bufer = 0, componentes = 0, paso = 0, bytes = 0; // bytes: los de su buffer
     GLenum tipo = GL_FLOAT;
     std::intptr_t desplazamiento = 0;
     std::vector<std::array<float, 4>> primeros; // los de los primeros vértices, si son float
@@ -25,6 +25,7 @@ struct Uniforme {
     std::vector<double> valor;
     std::vector<std::string> etapas; // los shaders en que está: «vert», «frag»
     bool dado = true;                // si alguien le ha dado un valor
+    std::string malDado = "";        // la función con que se le ha dado, si no es la suya
 };
 
 struct Textura {
@@ -46,6 +47,9 @@ struct Cableado {
 /// Lo que usa el programa en curso; con `sumas`, también una de lo que hay en cada array y en cada textura, para saber
 /// si en otro cuadro hay lo mismo. No cambia nada del estado.
 Cableado cableadoActual(bool sumas = false);
+/// Los bytes que ocupa un número de ese tipo.
+std::size_t bytesDe(GLenum tipo);
+
 Json deCableado(const Cableado &cableado);
 
 } // namespace explica

@@ -164,6 +164,15 @@ std::string Reescritor::global() {
 
 std::string Reescritor::globales(const Cabeza &c) {
     std::string nada, s;
+    if (c.sinTipo && toma(";")) // layout(std140) uniform;
+        return c.calificadores + ";";
+    if (fragmento && ahora().texto.compare(0, 3, "gl_") == 0) { // ya se conoce
+        const std::size_t desde = i;
+        while (ahora().clase != Palabra::Fin && !es(";"))
+            ++i;
+        exige(";");
+        return c.calificadores + c.texto + " " + copia(desde, i);
+    }
     if (c.sinTipo) { // invariant a, b;
         do {
             const std::string &nombre = p[nombreNuevo()].texto;
@@ -255,7 +264,9 @@ std::string Reescritor::definicion(const Cabeza &c) {
     nombreFuncion = p[i++];
     funciones.insert(nombreFuncion.texto);
     abre();
-    std::string s = c.calificadores + c.texto + " " + emite(nombreFuncion) + " " + parametros();
+    std::string s = c.calificadores + c.texto + " " +
+                    (nombreFuncion.texto == "main" ? "explica_principal" : nombreFuncion.texto) + " " +
+                    parametros();
     if (toma(";")) {
         cierra();
         return s + " ;";
@@ -301,8 +312,8 @@ void Reescritor::entradasDelSistema() {
         (v.entrada ? alEmpezar : alAcabar) +=
             partes(v.entrada ? Clase::Entrada : Clase::Salida, donde, v.nombre, tipo, emite(donde));
     }
-    if (fragmento && apariciones["gl_FragData"])
-        ambitos[0]["gl_FragData"].tipo = {"vec4", nullptr, 8};
+    ambitos[0][fragmento ? "gl_FragData" : "gl_ClipDistance"].tipo = {fragmento ? "vec4" : "float", nullptr,
+                                                                      8};
 }
 
 } // namespace explica

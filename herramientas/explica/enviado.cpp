@@ -54,9 +54,9 @@ struct Programa {
     std::map<std::string, GLuint> porAtar, atados; // lo segundo, desde que se enlaza
     std::map<std::string, Nombre> nombres;
     std::map<GLint, std::string> enSitio;
-    std::set<GLint> sitiosDados;
-    std::vector<std::pair<std::string, Envio>> dados; // por su orden
-    std::map<std::string, Envio> perdidos;            // por su forma, los que no se sabe a qué nombre van
+    std::map<GLint, std::set<std::string>> sitiosDados; // con las formas en que se ha dado
+    std::vector<std::pair<std::string, Envio>> dados;   // por su orden
+    std::map<std::string, Envio> perdidos;              // por su forma, los que no se sabe a qué nombre van
 };
 std::map<GLuint, Programa> programas;
 std::pair<GLuint, std::string> preguntado; // por lo último, si no está y aún no se ha hecho nada más
@@ -64,7 +64,7 @@ std::pair<GLuint, std::string> preguntado; // por lo último, si no está y aún
 // A un sitio en que no hay nada no se sabe a qué nombre se envía: al que se acaba de preguntar o, si se preguntó hace
 // tiempo, a alguno de los que no se enviaron entonces.
 template<class HazEnvio>
-void apunta(GLint donde, const HazEnvio &hazEnvio) {
+void apunta(GLint donde, const std::string &forma, const HazEnvio &hazEnvio) {
     const GLuint actual = GLuint(entero(GL_CURRENT_PROGRAM));
     Programa &p = programas[actual];
     const auto [deCual, nombre] = preguntado;
@@ -73,7 +73,7 @@ void apunta(GLint donde, const HazEnvio &hazEnvio) {
     if (donde >= 0 && sitio == p.enSitio.end())
         return;
     if (donde >= 0)
-        p.sitiosDados.insert(donde);
+        p.sitiosDados[donde].insert(forma);
     if (EN_WEB && donde >= 0 && !seExplica())
         return; // al explicar se dibuja otra vez, y se envía otra vez
     const std::string &suyo = donde >= 0 ? sitio->second : nombre;
@@ -120,7 +120,7 @@ struct Uniform<envia> {
 
     static void da(GLint donde, Parametros... parametros) {
         if (!esNuestro())
-            apunta(donde, [&] { return Envio{forma, copia(cada, envia, parametros...)}; });
+            apunta(donde, forma, [&] { return Envio{forma, copia(cada, envia, parametros...)}; });
         envia(donde, parametros...);
     }
 };
@@ -280,6 +280,15 @@ Direccion tapaEnvio(const std::string &nombre) {
 
 bool seHaDado(GLuint programa, GLint donde) {
     return programas[programa].sitiosDados.count(donde) > 0;
+}
+
+std::string malDado(GLuint programa, const Variable &uniform) {
+    const auto dado = programas[programa].sitiosDados.find(uniform.donde);
+    if (dado != programas[programa].sitiosDados.end())
+        for (const std::string &forma : dado->second)
+            if (!admite(uniform.tipo, forma))
+                return "glUniform" + forma;
+    return "";
 }
 
 bool ataComo(GLuint original, GLuint programa) {

@@ -12,6 +12,9 @@ Direccion tapaEnvio(const std::string &nombre);
 /// Si a ese uniform de ese programa, que está donde dice, se le ha dado un valor.
 bool seHaDado(GLuint programa, GLint donde);
 
+/// La función que no es la suya con que se le ha dado: glUniform1f a un sampler. Vacío si ninguna.
+std::string malDado(GLuint programa, const Variable &uniform);
+
 /// Ata cada atributo donde lo ha atado el original, aunque en él no esté, y los que no se sabe dónde, donde no hay
 /// ningún array. Hay que llamarla antes de enlazar y, si devuelve verdadero, enlazar otra vez.
 bool ataComo(GLuint original, GLuint programa);

@@ -157,7 +157,8 @@ std::vector<float> leeColores(const Lienzo &l, int x, int y, int ancho, int alto
     std::vector<float> rgba(std::size_t{4} * ancho * alto);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, l.nombre);
     if (l.muestras == 0 || l.nombre == 0) {
-        glReadBuffer(l.buferColor);
+        if (l.buferColor != GL_NONE) // si no, del que se lea
+            glReadBuffer(l.buferColor);
         leePixeles(l, x, y, ancho, alto, rgba.data());
         return rgba;
     }

@@ -80,9 +80,6 @@ void leePixeles(const Lienzo &lienzo, int x, int y, int ancho, int alto, float *
 /// GL_STENCIL_REF.
 GLint pideLaPlantilla();
 
-/// Si lo que dibuja depende de ese uniform, que nadie ha dado: hay enlazadores que dejan lo que no sirve para nada.
-bool importa(const std::function<void()> &dibuja, const Lienzo &lienzo, const std::string &uniform);
-
 void pon(GLenum interruptor, bool activo);
 
 } // namespace explica

@@ -4,9 +4,9 @@
 
 namespace explica {
 
-Reescrito reescribe(const std::string &fuente, int salidas, Etapa etapa) {
+Reescrito reescribe(const std::string &fuente, int salidas, Etapa etapa, const Define &define) {
     try {
-        return Reescritor(preprocesa(fuente), salidas, etapa == Etapa::Fragmento).hace();
+        return Reescritor(preprocesa(fuente, define), salidas, etapa == Etapa::Fragmento).hace();
     } catch (const NoSe &e) {
         return {"", {}, {{e.linea, e.fichero, e.what()}}};
     }

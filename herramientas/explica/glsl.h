@@ -1,8 +1,7 @@
 // Un shader que va diciendo lo que hace: se reescribe para que apunte, paso a paso, lo que vale cada cosa que calcula
 // (Hilgart, «Step-Through Debugging of GLSL Shaders», 2006). Texto a texto, sin OpenGL.
 #pragma once
-#include <string>
-#include <vector>
+#include "lexico.h"
 
 namespace explica {
 
@@ -60,7 +59,9 @@ struct Reescrito {
 ///   explica_0      de qué nota es el paso de cada hueco; -1 si ya no los hay
 ///   explica_1      (p, q, d, 0): p + 65536 q pasos dados; si d = 1, descarta
 ///   explica_2 …    el paso de cada hueco: lo que se apuntó, para `valor`
-Reescrito reescribe(const std::string &fuente, int salidas, Etapa etapa = Etapa::Fragmento);
+/// `define`: lo que OpenGL define (lexico.h); sin él, de lo que dependa se avisa.
+Reescrito reescribe(const std::string &fuente, int salidas, Etapa etapa = Etapa::Fragmento,
+                    const Define &define = {});
 
 /// Cuántos pasos salen cada vez: salidas - 2, de 1 a 4.
 int huecosDe(int salidas);

@@ -38,7 +38,7 @@ std::string enJson(Numero numero) {
         return std::to_string(numero);
     char texto[32];
     std::snprintf(texto, sizeof texto, std::isfinite(double(numero)) ? "%.9g" : "\"%g\"", double(numero));
-    return texto;
+    return std::isnan(double(numero)) ? "\"nan\"" : texto; // sin el signo, que no dice nada
 }
 
 /// Un objeto, clave a clave.

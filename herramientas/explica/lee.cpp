@@ -87,8 +87,4 @@ GLint pideLaPlantilla() {
     return entero(GL_STENCIL_REF);
 }
 
-bool importa(const std::function<void()> &, const Lienzo &, const std::string &) {
-    return true; // el de Mesa no los deja
-}
-
 } // namespace explica

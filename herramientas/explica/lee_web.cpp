@@ -5,7 +5,6 @@
 #include "programas.h"
 #include "sueltas.h"
 #include <algorithm>
-#include <cstring>
 #include <emscripten/html5.h>
 #include <map>
 
@@ -324,32 +323,6 @@ void bitsDeLaVentana(GLenum, Lienzo &l) {
     emscripten_webgl_get_context_attributes(emscripten_webgl_get_current_context(), &tiene);
     l.bitsProfundidad = tiene.depth ? 24 : 0;
     l.bitsPlantilla = sin_ventana::plantillaPedida ? 8 : 0;
-}
-
-bool importa(const std::function<void()> &dibuja, const Lienzo &l, const std::string &uniform) {
-    const Guardado guardado;
-    const GLuint original = GLuint(entero(GL_CURRENT_PROGRAM));
-    const GLuint otro = gemelo(original, "igual", [&] {
-        std::vector<GLuint> shaders;
-        for (const Fuente &f : fuentesDe(original))
-            shaders.push_back(f.shader);
-        return enlazaComo(original, shaders);
-    });
-    if (!otro)
-        return true;
-    marcoDe(GL_NONE, l.ancho, l.alto);
-    const SinPruebas sin(0, 0, l.ancho, l.alto);
-    std::vector<Pixel> antes(std::size_t(l.ancho * l.alto)), despues = antes;
-    for (std::vector<Pixel> *imagen : {&antes, &despues}) {
-        glClearBufferfv(GL_COLOR, 0, Pixel{}.data());
-        if (imagen == &despues)
-            for (const Variable &v : uniformsDe(otro))
-                if (v.nombre == uniform)
-                    daOtroValor(v);
-        dibuja();
-        DE_VERDAD(glReadPixels)(0, 0, l.ancho, l.alto, GL_RGBA, GL_FLOAT, imagen->data());
-    }
-    return std::memcmp(antes.data(), despues.data(), antes.size() * sizeof antes[0]) != 0;
 }
 
 } // namespace explica

@@ -44,6 +44,17 @@ std::size_t largoSigno(const std::string &s, std::size_t i) {
     return 1;
 }
 
+// Con líneas que acaban como en Unix.
+std::string conSaltos(const std::string &s) {
+    std::string t;
+    for (std::size_t i = 0; i < s.size(); ++i)
+        if (s[i] != '\r')
+            t += s[i];
+        else if (s.compare(i + 1, 1, "\n") != 0)
+            t += '\n';
+    return t;
+}
+
 struct Cruda : Palabra {
     bool primera = false; // de su línea
 };
@@ -57,14 +68,16 @@ std::vector<Cruda> separa(const std::string &s) {
     for (std::size_t i = 0; i < s.size();) {
         const std::size_t inicio = i;
         if (s.compare(i, 2, "//") == 0) {
-            i = std::min(s.find('\n', i), s.size());
+            for (; i < s.size() && s[i] != '\n'; ++i) // también lo que sigue a una \ al final
+                if (s.compare(i, 2, "\\\n") == 0)
+                    ++i, ++p.linea;
         } else if (s.compare(i, 2, "/*") == 0) {
             const std::size_t fin = s.find("*/", i + 2);
             i = fin == std::string::npos ? s.size() : fin + 2;
             for (std::size_t k = inicio; k < i; ++k)
                 p.linea += s[k] == '\n';
-        } else if (s.compare(i, 2, "\\\n") == 0 || s.compare(i, 3, "\\\r\n") == 0) {
-            i = s.find('\n', i) + 1;
+        } else if (s.compare(i, 2, "\\\n") == 0) {
+            i += 2;
             ++p.linea;
         } else if (s[i] == '\n') {
             ++i;
@@ -106,8 +119,10 @@ struct Macro {
 
 class Preprocesador {
 public:
+    explicit Preprocesador(const Define &quien) : define_(quien) {
+    }
     Preprocesado hace(const std::string &fuente) {
-        const std::vector<Cruda> crudas = separa(fuente);
+        const std::vector<Cruda> crudas = separa(conSaltos(fuente));
         Palabras texto;
         int corrimiento = 0, fichero = 0;
         for (std::size_t i = 0; crudas[i].clase != Palabra::Fin;) {
@@ -146,6 +161,7 @@ private:
     struct Condicion {
         bool antes, ahora, alguna; // si fuera se compila; si esta rama; si ya una
     };
+    const Define &define_;
     Preprocesado resultado;
     std::map<std::string, Macro> macros;
     std::vector<Condicion> condiciones;
@@ -206,10 +222,19 @@ private:
         macros[resto[0].texto] = m;
     }
 
+    static bool esNumero(const std::string &nombre) {
+        return nombre == "__LINE__" || nombre == "__FILE__" || nombre == "__VERSION__";
+    }
+
     bool definida(const Palabra &nombre) {
-        const bool esta =
-            macros.count(nombre.texto) > 0 || nombre.texto == "__LINE__" || nombre.texto == "__VERSION__";
-        if (!esta && nombre.texto.compare(0, 3, "GL_") == 0)
+        const bool esta = macros.count(nombre.texto) > 0 || esNumero(nombre.texto);
+        if (esta || nombre.texto.compare(0, 3, "GL_") != 0)
+            return esta;
+        if (define_ && define_(resultado.cabecera, nombre.texto)) {
+            macros[nombre.texto].cuerpo = {{Palabra::Numero, "1"}};
+            return true;
+        }
+        if (!define_ && nombre.texto != "GL_ES") // ese lo dice la versión
             resultado.avisos.emplace_back(nombre, "depende de si OpenGL define " + nombre.texto +
                                                       ": sigo como si no");
         return esta;
@@ -221,6 +246,7 @@ private:
         Palabras sinDefined;
         for (std::size_t i = 0; i < condicion.size(); ++i) {
             if (condicion[i].texto != "defined") {
+                definida(condicion[i]);
                 sinDefined.push_back(condicion[i]);
                 continue;
             }
@@ -257,8 +283,10 @@ private:
             if (expandidas > MAXIMO)
                 throw NoSe(p, "las macros dan un texto demasiado largo");
             const auto m = macros.find(p.texto);
-            if (p.texto == "__LINE__" || p.texto == "__VERSION__") {
-                p.texto = std::to_string(p.texto == "__LINE__" ? p.linea : version);
+            if (esNumero(p.texto)) {
+                p.texto = std::to_string(p.texto == "__LINE__"   ? p.linea
+                                         : p.texto == "__FILE__" ? p.fichero
+                                                                 : version);
                 p.clase = Palabra::Numero;
             } else if (p.clase == Palabra::Nombre && m != macros.end() && enCurso.count(p.texto) == 0 &&
                        (!m->second.conArgumentos || sigueParentesis(pila))) {
@@ -302,7 +330,7 @@ private:
     }
 
     void sustituye(const Palabra &uso, const Macro &macro, Palabras &pila) {
-        std::vector<Palabras> dados;
+        std::vector<Palabras> dados, crudos;
         if (macro.conArgumentos) {
             dados = argumentos(uso, pila);
             if (macro.parametros.empty() && dados.size() == 1 && dados[0].empty())
@@ -311,21 +339,30 @@ private:
                 throw NoSe(uso, "a la macro " + uso.texto + " le faltan o le sobran argumentos");
             if (++dentro > 100)
                 throw NoSe(uso, "macros dentro de macros sin fin");
+            crudos = dados;
             for (Palabras &a : dados)
                 a = expande(a);
             --dentro;
         }
         Palabras nuevas;
-        for (const Palabra &p : macro.cuerpo) {
-            if (p.texto == "##")
-                throw NoSe(uso, "no sé pegar palabras con ##");
+        const auto pega = [&](std::size_t k) { // si esa es un ##: lo de sus lados va junto y sin expandir
+            return k < macro.cuerpo.size() && macro.cuerpo[k].texto == "##";
+        };
+        for (std::size_t k = 0; k < macro.cuerpo.size(); ++k) {
+            const Palabra &p = macro.cuerpo[k];
+            if (pega(k))
+                continue;
             std::size_t cual = 0;
             while (cual < dados.size() && macro.parametros[cual] != p.texto)
                 ++cual;
-            if (cual < dados.size())
-                nuevas.insert(nuevas.end(), dados[cual].begin(), dados[cual].end());
-            else
-                nuevas.push_back(p);
+            Palabras suyas = cual == dados.size()         ? Palabras{p}
+                             : pega(k + 1) || pega(k - 1) ? crudos[cual]
+                                                          : dados[cual];
+            if (pega(k - 1) && !nuevas.empty() && !suyas.empty()) {
+                nuevas.back().texto += suyas[0].texto;
+                suyas.erase(suyas.begin());
+            }
+            nuevas.insert(nuevas.end(), suyas.begin(), suyas.end());
             if (nuevas.size() + pila.size() > MAXIMO)
                 throw NoSe(uso, "las macros dan un texto demasiado largo");
         }
@@ -428,8 +465,8 @@ private:
 
 } // namespace
 
-Preprocesado preprocesa(const std::string &fuente) {
-    return Preprocesador().hace(fuente);
+Preprocesado preprocesa(const std::string &fuente, const Define &define) {
+    return Preprocesador(define).hace(fuente);
 }
 
 std::string texto(const Palabra *desde, const Palabra *hasta) {

@@ -29,9 +29,12 @@ struct Preprocesado {
     std::vector<NoSe> avisos;
 };
 
+/// Si, con esa cabecera, OpenGL define ese nombre.
+using Define = std::function<bool(const std::string &cabecera, const std::string &nombre)>;
+
 /// Quita comentarios y condicionales y expande las macros: cada palabra queda en la línea en que se usa.
-/// Lanza NoSe si no puede (##, una macro que no acaba de crecer).
-Preprocesado preprocesa(const std::string &fuente);
+/// Lanza NoSe si no puede (una macro que no acaba de crecer). Sin `define`, lo que OpenGL define no se sabe.
+Preprocesado preprocesa(const std::string &fuente, const Define &define = {});
 
 /// El texto de unas palabras, espaciadas como lo estaban.
 std::string texto(const Palabra *desde, const Palabra *hasta);

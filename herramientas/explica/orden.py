@@ -54,12 +54,18 @@ def ejecuta(build, ejecutable, pixel, suyas):
             "LAB_EXPLICA_PIXELES": pixel,
             "LAB_EXPLICA_IMAGENES": "1",
         }
-        procesos.ejecuta(
-            [ejecutable, *suyas, "-ppm", "cuadro.ppm"], env=entorno, cwd=carpeta, timeout=SEGUNDOS, text=True
-        )
+        orden, error = [ejecutable, *suyas, "-ppm", "cuadro.ppm"], []
+        try:
+            procesos.ejecuta(orden, env=entorno, cwd=carpeta, timeout=SEGUNDOS, text=True)
+        except Fallo as fallo:
+            if not hecho.exists():
+                raise
+            dice = f"el programa acaba mal: {str(fallo).splitlines()[-1]}"
+            error = [{"orden": 0, "dice": dice, "prueba": "Mira lo que se dice antes."}]
         if not hecho.exists():
             raise Fallo("explica: el programa acaba antes de que se pueda explicar su cuadro: ¿pulsa Esc el guion?")
-        return json.loads(hecho.read_text())
+        cuadro = json.loads(hecho.read_text())
+        return {**cuadro, "sospechas": cuadro["sospechas"] + error}
 
 
 def completa(raiz, cuadro, nombre, titulo, suyas):

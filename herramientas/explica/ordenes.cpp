@@ -129,6 +129,12 @@ Orden copia(GLint x0, GLint y0, GLint x1, GLint y1, GLint u0, GLint v0, GLint u1
 
 void (*llegaA)(const Orden &orden);
 
+// Sin ellos Mesa los lee de donde no hay memoria.
+bool faltanIndices(const Orden &o) {
+    return o.tipoIndice != GL_NONE && entero(GL_VERTEX_ARRAY_BINDING) &&
+           !entero(GL_ELEMENT_ARRAY_BUFFER_BINDING);
+}
+
 // Una función, por la que la cambia: `orden` dice lo que hace con esos parámetros.
 template<auto funcion, auto orden>
 struct Tapada;
@@ -136,7 +142,10 @@ template<class... Parametros, void (*funcion)(Parametros...), Orden (*orden)(Par
 struct Tapada<funcion, orden> {
     static void llama(Parametros... parametros) {
         Orden suya = orden(parametros...);
-        suya.hazla = [=] { funcion(parametros...); };
+        suya.hazla = [=] {
+            if (!faltanIndices(suya))
+                funcion(parametros...);
+        };
         llegaA(suya);
     }
 };
@@ -186,8 +195,12 @@ Orden ordenDibuja(GLenum modo, GLint primero, GLsizei vertices) {
 Orden ordenDibuja(GLenum modo, GLsizei vertices, GLenum tipoIndice, const void *indices) {
     Orden o{Orden::Que::Dibuja,
             llamada("glDrawElements", nombreModo(modo), vertices, nombreDe(tipoIndice), indices),
-            [=] { deVerdad().dibujaIndices(modo, vertices, tipoIndice, indices); }};
+            {}};
     o.modo = modo, o.tipoIndice = tipoIndice, o.tramos = {{0, vertices, indices}};
+    o.hazla = [=] {
+        if (!faltanIndices(o))
+            deVerdad().dibujaIndices(modo, vertices, tipoIndice, indices);
+    };
     return o;
 }
 

@@ -21,7 +21,7 @@ def de_suceso(suceso, orden):
 
 
 def cifra(numero):
-    return numero if isinstance(numero, str) else f"{numero:.4g}"
+    return {"nan": "NaN", "inf": "∞", "-inf": "−∞"}.get(numero) or f"{numero:.4g}"
 
 
 def valor(numeros):
@@ -44,6 +44,16 @@ def de_sombreado(lineas):
     return filas + [f"      lo primero que no es un número:{de_linea(raro)[5:]}" for raro in raros(lineas)[:1]]
 
 
+def sin_seguir(sombreado):
+    """Por qué de un shader, o de una línea, no se dice nada."""
+    trazas = [sombreado.get("fragmento"), *sombreado.get("vertices", [])[:1]]
+    filas = [f"      {t['motivo']}" for t in trazas if t and t["motivo"]]
+    donde = {}
+    for suya in (suya for t in trazas if t for suya in t["sinSeguir"]):
+        donde.setdefault((suya["motivo"], suya["fichero"]), set()).add(suya["linea"])
+    return filas + [f"      {f}:{', '.join(map(str, sorted(n)))}: {que}" for (que, f), n in donde.items()][:MAXIMO]
+
+
 def lo_que_falta(historia, ordenes):
     """Lo que habría estado ahí si no fuera por una prueba, de más cerca a más lejos; si no hay nada, qué órdenes no
     dibujan y por qué."""
@@ -61,12 +71,13 @@ def lo_que_falta(historia, ordenes):
 def cuadro(datos):
     """La historia del píxel o, si no se pide ninguno, las órdenes."""
     ordenes = {orden["n"]: orden for orden in datos["ordenes"]}
-    filas = [f"aviso: {sospecha['dice']}" for sospecha in datos["sospechas"]]
+    filas = [f"aviso: {sospecha['dice']}. {sospecha['prueba']}" for sospecha in datos["sospechas"]]
     if datos["pixel"]:
         x, y = datos["pixel"]
         filas += [f"{datos['programa']} en ({x}, {y}): {rgb(datos['color'])}"]
         filas += [de_suceso(suceso, ordenes[suceso["orden"]]) for suceso in datos["historia"]]
-        filas += de_sombreado(datos["lineas"])
+        filas += [] if datos["historia"] else ["      ninguna orden de este cuadro lo toca"]
+        filas += de_sombreado(datos["lineas"]) + sin_seguir(datos.get("sombreado", {}))
         filas += lo_que_falta(datos["historia"], ordenes)
         return "\n".join(filas)
     filas += [f"{datos['programa']}: {len(ordenes)} órdenes"]

@@ -192,7 +192,7 @@ std::string cifras(double numero) {
     return texto;
 }
 
-std::string enPalabras(const std::string &veredicto, const Contenido &antes,
+std::string enPalabras(const std::string &veredicto, const Lienzo &l, const Contenido &antes,
                        const std::optional<Fragmento> &f) {
     const auto constante = [](GLenum cual) { return nombreDe(GLenum(entero(cual))); };
     if (veredicto == "cara")
@@ -202,7 +202,9 @@ std::string enPalabras(const std::string &veredicto, const Contenido &antes,
     if (veredicto == "descartado")
         return "el shader lo descarta (discard)";
     if (veredicto == "mascara")
-        return "no escribe color (glColorMask)";
+        return l.buferColor != GL_NONE ? "no escribe color (glColorMask)"
+               : l.nombre ? "no escribe color: no hay dónde (glFramebufferTexture2D, glDrawBuffer)"
+                          : "no escribe color (glDrawBuffer es GL_NONE)";
     if (veredicto == "plantilla")
         return "no pasa la plantilla: hay " + std::to_string(antes.plantilla.value_or(0)) + " y se pide " +
                constante(GL_STENCIL_FUNC) + " " + std::to_string(pideLaPlantilla());
@@ -231,7 +233,7 @@ Suceso hazPrimitiva(const Pregunta &q, const Sueltas &s, int numero, int cual, c
     const Contenido antes = lee(q.lienzo, q.pixel);
     haz();
     const Contenido despues = lee(q.lienzo, q.pixel);
-    Suceso hecho = suceso(numero, q.lienzo, que, enPalabras(que, antes, f), antes, despues);
+    Suceso hecho = suceso(numero, q.lienzo, que, enPalabras(que, q.lienzo, antes, f), antes, despues);
     hecho.primitiva = cual;
     Json &json = hecho.json;
     const auto primero = s.primitivas.indices.begin() + cual * s.primitivas.vertices;
@@ -269,7 +271,8 @@ void dibujaInstancias(const Orden &o, int numero, const Pregunta &q, std::vector
     const Contenido despues = lee(q.lienzo, q.pixel);
     if (antes.color != despues.color) // la plantilla o la profundidad de una dejan pasar a la siguiente
         que = "escrito";
-    const std::string dice = que == "escrito" ? "escrito por alguna instancia" : enPalabras(que, antes, {});
+    const std::string dice =
+        que == "escrito" ? "escrito por alguna instancia" : enPalabras(que, q.lienzo, antes, {});
     sucesos.push_back(suceso(numero, q.lienzo, que, dice, antes, despues));
 }
 
@@ -347,9 +350,12 @@ void hazYCuenta(const Orden &o, int numero, const Lienzo &l, Punto p, std::vecto
         o.que == Orden::Que::Borra && !(escribe[0] || escribe[1] || escribe[2] || escribe[3]);
     const Contenido antes = lee(l, p);
     o.hazla();
-    const char *const que = fuera ? "recorte" : conColor && mascara ? "mascara" : "escrito";
+    const bool escribeColor = conColor && !mascara && l.buferColor != GL_NONE;
+    const char *const que = fuera ? "recorte" : escribeColor ? "escrito" : "mascara";
     const std::string hecho = o.que == Orden::Que::Borra ? "borrado" : "copiado de otro framebuffer";
-    const std::string dice = *que == 'e' ? hecho : enPalabras(que, antes, {});
+    const std::string dice = escribeColor && !fuera ? hecho
+                             : !conColor && !fuera  ? hecho + ", pero no el color"
+                                                    : enPalabras(que, l, antes, {});
     sucesos.push_back(suceso(numero, l, que, dice, antes, lee(l, p)));
 }
 

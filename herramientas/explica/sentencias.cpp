@@ -84,14 +84,17 @@ std::string Reescritor::condicion(Clase clase) {
 }
 
 std::string Reescritor::si() {
-    ++i;
-    exige("(");
-    std::string s = "if ( " + condicion(Clase::Condicion) + " ) ";
-    exige(")");
-    s += cuerpo();
-    if (toma("else"))
-        s += "else " + cuerpo();
-    return s;
+    std::string s;
+    while (toma("if")) { // los else if, seguidos, que pueden ser muchos
+        exige("(");
+        s += "if ( " + condicion(Clase::Condicion) + " ) ";
+        exige(")");
+        s += cuerpo();
+        if (!toma("else"))
+            return s;
+        s += "else ";
+    }
+    return s + cuerpo();
 }
 
 std::string Reescritor::para() {

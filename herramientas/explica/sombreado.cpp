@@ -3,6 +3,7 @@
 #include "glsl.h"
 #include <algorithm>
 #include <functional>
+#include <map>
 #include <regex>
 
 namespace explica {
@@ -21,6 +22,34 @@ struct Reescribible {
     std::string motivo; // por qué no se puede
 };
 
+// Si ese shader, que empieza así, se puede compilar.
+GLuint compila(GLenum tipo, const std::string &fuente) {
+    const GLuint shader = glCreateShader(tipo);
+    const GLchar *const texto = fuente.c_str();
+    glShaderSource(shader, 1, &texto, nullptr);
+    glCompileShader(shader);
+    GLint compila = GL_FALSE;
+    glGetShaderiv(shader, GL_COMPILE_STATUS, &compila);
+    if (compila)
+        return shader;
+    glDeleteShader(shader);
+    return 0;
+}
+
+// Lo que define OpenGL se le pregunta una vez.
+bool define(const std::string &cabecera, const std::string &nombre) {
+    static std::map<std::string, bool> sabidos;
+    const std::string fuente =
+        cabecera + "#ifndef " + nombre + "\n#error no\n#endif\nvoid main() { gl_Position = vec4(0.0); }\n";
+    const auto [sabido, nuevo] = sabidos.insert({fuente, false});
+    if (nuevo) {
+        const GLuint shader = compila(GL_VERTEX_SHADER, sabido->first);
+        sabido->second = shader != 0;
+        glDeleteShader(shader);
+    }
+    return sabido->second;
+}
+
 Reescribible reescribeEn(GLuint original, Etapa etapa) {
     const GLenum cual = etapa == Etapa::Vertices ? GL_VERTEX_SHADER : GL_FRAGMENT_SHADER;
     Reescribible r;
@@ -31,18 +60,12 @@ Reescribible reescribeEn(GLuint original, Etapa etapa) {
             shaders.push_back(f.shader);
             continue;
         }
-        r.reescrito = reescribe(f.texto, SALIDAS, etapa);
-        nuevo = glCreateShader(cual);
-        const GLchar *texto = r.reescrito.fuente.c_str();
-        glShaderSource(nuevo, 1, &texto, nullptr);
-        glCompileShader(nuevo);
-        GLint compila = GL_FALSE;
-        glGetShaderiv(nuevo, GL_COMPILE_STATUS, &compila);
-        if (!compila)
-            r.motivo = "no sé seguir este shader";
+        r.reescrito = reescribe(f.texto, SALIDAS, etapa, define);
+        nuevo = compila(cual, r.reescrito.fuente);
+        r.motivo = nuevo ? "" : "no sé seguir este shader";
         shaders.push_back(nuevo);
     }
-    if (!nuevo)
+    if (!nuevo && r.motivo.empty())
         r.motivo = "el programa ya no guarda el texto de su shader";
     if (r.motivo.empty()) {
         std::vector<std::string> salidas;
@@ -306,7 +329,8 @@ std::array<Pesos, 2> pesosDe(const std::array<std::vector<double>, 3> &posicione
 
 // Si en ese shader se declara así: «flat in vec3 color;».
 bool seDeclara(const std::string &fuente, const std::string &como, const std::string &nombre) {
-    return std::regex_search(fuente, std::regex("\\b" + como + "\\s+in\\s+\\w+\\s[^;]*\\b" + nombre + "\\b"));
+    return std::regex_search(
+        fuente, std::regex("\\b" + como + "\\s+(\\w+\\s+)*in\\s+\\w+\\s[^;]*\\b" + nombre + "\\b"));
 }
 
 // Cada entrada del fragmento que dan los vértices: lo que sale de mezclarlos y lo que se ha apuntado.

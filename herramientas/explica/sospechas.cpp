@@ -1,20 +1,21 @@
 #include "sospechas.h"
+#include "arrays.h"
 #include "enviado.h"
 #include "nombres.h"
 #include "sueltas.h"
 #include <algorithm>
+#include <cstring>
 #include <regex>
 
 namespace explica {
 namespace {
 
-const int SEGURO = 2, SI_NO_SE_VE_NADA = 1; // con la ventana lisa se dice todo
-const std::size_t VERTICES = 256;           // los que se miran
+const int SEGURO = 2, SI_NO_SE_VE_NADA = 1;       // con la ventana lisa se dice todo
+const std::size_t VERTICES = 256, TODOS = 100000; // los que se miran, si son demasiados para mirarlos todos
+const int MUCHAS = 40;                            // órdenes: de las que siguen no se miran los colores
 
-using Puntos = std::vector<std::array<float, 4>>;
-
-// Dónde caen los vértices de la orden, recogidos sin rasterizar.
-Puntos posicionesDe(const Orden &orden) {
+// Dónde caen los vértices de la orden, recogidos sin rasterizar; si están todos, con sus triángulos.
+Malla posicionesDe(const Orden &orden) {
     const GLuint programa = GLuint(entero(GL_CURRENT_PROGRAM));
     std::optional<Primitivas> p = primitivasDe(orden);
     std::vector<GLuint> shaders;
@@ -31,15 +32,23 @@ Puntos posicionesDe(const Orden &orden) {
     });
     if (!otro)
         return {};
+    Malla malla;
+    if (p->modo == GL_TRIANGLES)
+        malla.triangulos = p->indices;
     p->modo = GL_POINTS, p->vertices = 1;
     std::sort(p->indices.begin(), p->indices.end()); // cada vértice, una vez
     p->indices.erase(std::unique(p->indices.begin(), p->indices.end()), p->indices.end());
-    const std::size_t hay = p->indices.size(), caben = std::min(hay, VERTICES);
+    const std::size_t hay = p->indices.size(), caben = hay > TODOS ? VERTICES : hay;
+    for (GLuint &i : malla.triangulos)
+        i = GLuint(std::lower_bound(p->indices.begin(), p->indices.end(), i) - p->indices.begin());
+    if (caben < hay)
+        malla.triangulos.clear();
     for (std::size_t i = 0; i < caben; ++i) // de toda la orden
         p->indices[i] = p->indices[i * hay / caben];
     p->indices.resize(caben);
     const Sueltas s(*p);
-    Puntos puntos(p->indices.size());
+    Puntos &puntos = malla.puntos;
+    puntos.resize(p->indices.size());
     GLuint bufer;
     const GLint antes = entero(GL_TRANSFORM_FEEDBACK_BUFFER_BINDING);
     glGenBuffers(1, &bufer);
@@ -54,55 +63,86 @@ Puntos posicionesDe(const Orden &orden) {
     glGetBufferSubData(GL_TRANSFORM_FEEDBACK_BUFFER, 0, bytes, puntos.data());
     glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, GLuint(antes));
     glDeleteBuffers(1, &bufer);
-    return puntos;
+    return malla;
 }
 
-// Por qué nada de eso cae en la ventana.
-std::pair<std::string, std::string> fueraDe(const Puntos &puntos) {
-    const auto todos = [&](auto es) {
-        return !puntos.empty() && std::all_of(puntos.begin(), puntos.end(), es);
-    };
-    using P = std::array<float, 4>;
-    if (todos([](const P &p) { return !std::isfinite(p[0] + p[1] + p[2] + p[3]); }))
-        return {"las posiciones de todos sus vértices son NaN o infinitas",
-                "Mira las matrices y lo que se divide."};
-    if (todos([](const P &p) { return p[0] == 0 && p[1] == 0 && p[2] == 0; }) ||
-        todos([](const P &p) { return p[3] == 0; }))
-        return {"gl_Position es 0 en todos sus vértices",
-                "¿Se ha enviado cada matriz, y después de glUseProgram?"};
-    if (todos([&](const P &p) { return p == puntos[0]; }))
-        return {"todos sus vértices caen en el mismo punto",
-                "Mira la matriz del modelo y el array de posiciones."};
-    if (todos([](const P &p) { return p[3] < 0; }))
-        return {"todos sus vértices están detrás de la cámara (w < 0)",
-                "Mira la posición de la cámara y hacia dónde mira."};
-    const char *const LADOS[3][2] = {{"a la izquierda", "a la derecha"},
-                                     {"por debajo", "por encima"},
-                                     {"más cerca que cerca", "más lejos que lejos"}};
-    for (std::size_t eje = 0; eje < 3; ++eje)
-        for (const int lado : {0, 1})
-            if (todos([&](const P &p) { return lado ? p[eje] > p[3] : p[eje] < -p[3]; }))
-                return {std::string("todos sus vértices quedan fuera, ") + LADOS[eje][lado],
-                        eje == 2 ? "Mira los planos cerca y lejos de la proyección."
-                                 : "Mira la cámara y la matriz del modelo."};
-    return {"ninguna de sus primitivas cubre el centro de un píxel",
-            "¿Son muy pequeñas, o están fuera de la ventana?"};
+// Los colores que da el shader donde se ve lo que dibuja, sin mezclar ni acotar, fila a fila desde abajo; NINGUNO donde
+// no dibuja nada.
+using Pixel = std::array<float, 4>;
+const Pixel NINGUNO = {-12345, 0, 0, -1};
+
+std::vector<Pixel> coloresDe(const Orden &o, const Lienzo &l) {
+    const Guardado g;
+    abreAparte(l);
+    glDisable(GL_SCISSOR_TEST);
+    glDisable(GL_STENCIL_TEST);
+    glDisable(GL_BLEND);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glDepthMask(GL_TRUE);
+    glClearBufferfv(GL_COLOR, 0, NINGUNO.data());
+    if (l.bitsProfundidad)
+        deVerdad().borra(GL_DEPTH_BUFFER_BIT);
+    else
+        glDisable(GL_DEPTH_TEST);
+    o.hazla();
+    std::vector<Pixel> colores(std::size_t(l.ancho) * std::size_t(l.alto));
+    glReadBuffer(GL_COLOR_ATTACHMENT0);
+    glReadPixels(0, 0, l.ancho, l.alto, GL_RGBA, GL_FLOAT, colores.data());
+    return colores;
 }
 
-// Si los planos cerca o lejos quitan parte de lo que, si no, se vería.
-std::pair<std::string, std::string> corteDe(const Puntos &puntos) {
-    int cerca = 0, lejos = 0, dentro = 0;
-    for (const auto &[x, y, z, w] : puntos)
-        if (w > 0 && std::fabs(x) <= w && std::fabs(y) <= w)
-            ++(z < -w ? cerca : z > w ? lejos : dentro);
-    if (!dentro || cerca + lejos == 0)
-        return {};
-    const auto corta = [&](const char *plano, int cuantos) {
-        return "el plano " + std::string(plano) + " la corta: quita " + std::to_string(cuantos) + " de los " +
-               std::to_string(cerca + lejos + dentro) + " vértices que se verían";
-    };
-    return cerca ? std::pair(corta("cerca", cerca), std::string("Acerca ese plano a la cámara."))
-                 : std::pair(corta("lejos", lejos), std::string("Aleja ese plano de la cámara."));
+// Si lo que dibuja depende de ese uniform.
+bool importa(const Orden &o, Lienzo l, const Variable &uniform) {
+    const GLuint original = GLuint(entero(GL_CURRENT_PROGRAM));
+    l.bitsProfundidad = 0;
+    const Guardado guardado;
+    const GLuint otro = gemelo(original, "igual", [&] {
+        std::vector<GLuint> shaders;
+        for (const Fuente &f : fuentesDe(original))
+            shaders.push_back(f.shader);
+        return enlazaComo(original, shaders);
+    });
+    if (!otro)
+        return true;
+    glDisable(GL_CULL_FACE);
+    const std::vector<Pixel> antes = coloresDe(o, l);
+    for (const Variable &v : uniformsDe(otro))
+        if (v.nombre == uniform.nombre)
+            daOtroValor(v);
+    const std::vector<Pixel> despues = coloresDe(o, l);
+    return std::memcmp(antes.data(), despues.data(), antes.size() * sizeof antes[0]) != 0;
+}
+
+std::string fuentesDelPrograma(GLenum tipo) {
+    std::string texto;
+    for (const Fuente &f : fuentesDe(GLuint(entero(GL_CURRENT_PROGRAM))))
+        texto += f.tipo == tipo ? f.texto : "";
+    return texto;
+}
+
+// Si lo lejano tiene menos profundidad, porque así se pide.
+bool alReves() {
+    const GLint funcion = entero(GL_DEPTH_FUNC);
+    return funcion == GL_GREATER || funcion == GL_GEQUAL;
+}
+
+Dicho oSi(const Dicho &uno, const Dicho &otro) {
+    return uno.first.empty() ? otro : uno;
+}
+
+std::vector<Matriz> matricesDe(const Cableado &c, bool tambienDe3 = false) {
+    std::vector<Matriz> todas;
+    for (const Uniforme &u : c.uniformes)
+        if (u.variable.tipo == GL_FLOAT_MAT4 || (tambienDe3 && u.variable.tipo == GL_FLOAT_MAT3))
+            todas.push_back({u.variable.nombre, u.valor});
+    return todas;
+}
+
+const Atributo *atributoDe(const Cableado &c, const char *nombre) {
+    for (const Atributo &a : c.atributos)
+        if (a.variable.nombre.find(nombre) != std::string::npos && a.componentes == 3 && !a.primeros.empty())
+            return &a;
+    return nullptr;
 }
 
 double largo(const double *v) {
@@ -118,14 +158,35 @@ bool aplasta(const std::vector<double> &m) {
     return std::fabs(det) <= 1e-6 * largo(&m[0]) * largo(&m[4]) * largo(&m[8]);
 }
 
+double largo(const std::array<float, 4> &v) {
+    const double suyo[] = {double(v[0]), double(v[1]), double(v[2])};
+    return largo(suyo);
+}
+
 bool casiCero(const std::vector<double> &v) {
     return std::all_of(v.begin(), v.end(), [](double x) { return x == 0; });
+}
+
+// Si las normales apuntan hacia fuera de los vértices de que son.
+bool haciaFuera(const Cableado &c) {
+    const Atributo *const normales = atributoDe(c, "ormal"), *const posiciones = atributoDe(c, "osi");
+    if (!normales || !posiciones)
+        return false;
+    std::array<double, 3> centro{};
+    double suma = 0;
+    for (const auto &p : posiciones->primeros)
+        for (std::size_t i = 0; i < 3; ++i)
+            centro[i] += double(p[i]) / double(posiciones->primeros.size());
+    for (std::size_t k = 0; k < std::min(normales->primeros.size(), posiciones->primeros.size()); ++k)
+        for (std::size_t i = 0; i < 3; ++i)
+            suma += double(normales->primeros[k][i]) * (double(posiciones->primeros[k][i]) - centro[i]);
+    return suma > 0;
 }
 
 } // namespace
 
 void Sospechas::pon(int gravedad, int orden, const std::string &dice, const std::string &prueba) {
-    static const std::regex NUMERO("orden [0-9]+");
+    static const std::regex NUMERO("orden [0-9]+|[0-9]+ de sus [0-9]+|hasta [0-9]+");
     const auto sin = [](const std::string &texto) { return std::regex_replace(texto, NUMERO, "orden"); };
     const auto igual = [&](const Sospecha &s) { return sin(s.dice) == sin(dice); };
     const auto otra = std::find_if(lista.begin(), lista.end(), igual);
@@ -137,10 +198,11 @@ void Sospechas::pon(int gravedad, int orden, const std::string &dice, const std:
 
 void Sospechas::delCableado(const Cableado &c, const Orden &o, const Lienzo &l, int n) {
     const auto vale = [&](const Uniforme &u) { // sin que nadie se lo dé: lo dice el shader, o es la unidad 0
-        const bool incompleta = std::any_of(c.texturas.begin(), c.texturas.end(), [&](const Textura &t) {
-            return t.sampler == u.variable.nombre && !t.incompleta.empty();
-        });
-        return !casiCero(u.valor) || (esSampler(u.variable.tipo) && !incompleta);
+        return !casiCero(u.valor) || esSampler(u.variable.tipo);
+    };
+    // de una struct o de un array están todas las partes, y hay enlazadores que dejan lo que no sirve para nada
+    const auto esParte = [](const Uniforme &u) {
+        return EN_WEB || u.variable.nombre.find_first_of(".[") != std::string::npos;
     };
     for (const Uniforme &u : c.uniformes) {
         const std::string quien = "el uniform «" + u.variable.nombre + "» ";
@@ -148,8 +210,15 @@ void Sospechas::delCableado(const Cableado &c, const Orden &o, const Lienzo &l, 
             u.valor.size() >= 4 && !esEntero(u.variable.tipo) && tipoDe(u.variable.tipo)[0] == 'm';
         if (std::any_of(u.valor.begin(), u.valor.end(), [](double x) { return !std::isfinite(x); }))
             pon(SEGURO, n, quien + "tiene algo que no es un número", "Mira de qué cuenta sale.");
-        else if (!u.dado && !vale(u) && importa(o.hazla, l, u.variable.nombre))
-            pon(SEGURO, n, quien + "lo usa el shader y nadie le ha dado valor: es 0",
+        else if (!u.malDado.empty())
+            pon(SEGURO, n,
+                "a " + quien.substr(3) + "se le da valor con " + u.malDado + " y es un " +
+                    tipoDe(u.variable.tipo),
+                esSampler(u.variable.tipo) ? "A un sampler se le da el número de su unidad, con glUniform1i."
+                                           : "La función es la de su tipo: glUniform3f para un vec3…");
+        else if (!u.dado && !vale(u) && (!esParte(u) || importa(o, l, u.variable)))
+            pon(esEntero(u.variable.tipo) ? SI_NO_SE_VE_NADA : SEGURO, n,
+                quien + "lo usa el shader y nadie le ha dado valor: es 0",
                 "Falta enviarlo, se llama de otra manera o se ha enviado sin glUseProgram antes.");
         else if (matriz && casiCero(u.valor))
             pon(SEGURO, n, quien + "es una matriz toda de ceros",
@@ -163,7 +232,9 @@ void Sospechas::delCableado(const Cableado &c, const Orden &o, const Lienzo &l, 
             pon(SEGURO, n,
                 "la textura de «" + t.sampler + "», en la unidad " + std::to_string(t.unidad) +
                     ", está incompleta: " + t.incompleta,
-                "De una textura incompleta se lee negro.");
+                t.nombre
+                    ? "De una textura incompleta se lee negro."
+                    : "Mira glActiveTexture, glBindTexture y lo que se envía al sampler con glUniform1i.");
     for (const Atributo &a : c.atributos) {
         const std::string quien = "el atributo «" + a.variable.nombre + "» ";
         if (!a.constante && (!a.activo || !a.bufer))
@@ -180,9 +251,7 @@ void Sospechas::delCableado(const Cableado &c, const Orden &o, const Lienzo &l, 
 
 // Las que el shader usa como unitarias sin que lo sean.
 void Sospechas::deNormales(const Cableado &c, int n) {
-    std::string texto;
-    for (const Fuente &f : fuentesDe(GLuint(entero(GL_CURRENT_PROGRAM))))
-        texto += f.texto;
+    const std::string texto = fuentesDelPrograma(GL_VERTEX_SHADER) + fuentesDelPrograma(GL_FRAGMENT_SHADER);
     if (nombra(texto, "normalize") || nombra(texto, "inversesqrt") || nombra(texto, "length"))
         return;
     for (const Atributo &a : c.atributos) {
@@ -212,6 +281,10 @@ void Sospechas::deNormales(const Cableado &c, int n) {
 }
 
 void Sospechas::delEstado(const Orden &o, const Lienzo &l, int n) {
+    if (glCheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+        return pon(
+            SEGURO, n, "el framebuffer " + std::to_string(l.nombre) + ", en que se dibuja, no está completo",
+            "Le falta una textura o un renderbuffer, o no son de la misma talla: glCheckFramebufferStatus.");
     GLint v[4];
     glGetIntegerv(GL_VIEWPORT, v);
     if (v[2] == 0 || v[3] == 0 || v[0] >= l.ancho || v[1] >= l.alto || v[0] + v[2] <= 0 || v[1] + v[3] <= 0)
@@ -219,8 +292,25 @@ void Sospechas::delEstado(const Orden &o, const Lienzo &l, int n) {
             "Mira glViewport: ¿en la función de cambio de tamaño?");
     if (!o.vertices())
         pon(SEGURO, n, "se pide dibujar 0 vértices", "¿Está vacía la malla, o el número es de otra cosa?");
+    if (!entero(GL_VERTEX_ARRAY_BINDING))
+        pon(SEGURO, n, "se dibuja sin ningún VAO enlazado",
+            "Falta glBindVertexArray, o alguien ha enlazado el 0.");
+    if (l.nombre == 0 && l.buferColor == GL_NONE)
+        pon(SEGURO, n, "glDrawBuffer es GL_NONE: en la ventana no se escribe ningún color",
+            "Falta glDrawBuffer(GL_BACK), que es lo que hay si no se dice nada.");
+    if (!EN_WEB && entero(GL_POLYGON_MODE) == GL_POINT && o.modo >= GL_TRIANGLES)
+        pon(SEGURO, n, "glPolygonMode es GL_POINT: de cada triángulo solo se ven sus vértices",
+            "Falta glPolygonMode(GL_FRONT_AND_BACK, GL_FILL).");
+    if (!EN_WEB && glIsEnabled(GL_FRAMEBUFFER_SRGB) &&
+        std::regex_search(fuentesDelPrograma(GL_FRAGMENT_SHADER),
+                          std::regex("pow\\s*\\([^;]*(2\\.2|0\\.45)")))
+        pon(SEGURO, n, "los colores pasan a sRGB dos veces: con GL_FRAMEBUFFER_SRGB y con pow en el shader",
+            "Basta con una: quita la otra.");
     if (!glIsEnabled(GL_DEPTH_TEST))
         return;
+    conTest = conTest || l.nombre == 0;
+    apuntaProfundidad =
+        apuntaProfundidad || (l.nombre == 0 && (entero(GL_DEPTH_WRITEMASK) || glIsEnabled(GL_BLEND)));
     if (!l.bitsProfundidad)
         pon(SEGURO, n, "el test de profundidad está puesto y el framebuffer no tiene profundidad",
             "Falta GLUT_DEPTH en glutInitDisplayMode, o el renderbuffer.");
@@ -230,6 +320,114 @@ void Sospechas::delEstado(const Orden &o, const Lienzo &l, int n) {
     const GLint funcion = entero(GL_DEPTH_FUNC);
     if (funcion == GL_NEVER)
         pon(SEGURO, n, "glDepthFunc es GL_NEVER: no pasa nada", "Es GL_LESS si no se dice otra cosa.");
+}
+
+void Sospechas::pon(int gravedad, int orden, const Dicho &dicho) {
+    if (!dicho.first.empty())
+        pon(gravedad, orden, dicho.first, dicho.second);
+}
+
+void Sospechas::apuntaIndices(const Orden &o) {
+    Indices &i = indices[entero(GL_ELEMENT_ARRAY_BUFFER_BINDING)];
+    GLint hay = 0;
+    glGetBufferParameteriv(GL_ELEMENT_ARRAY_BUFFER, GL_BUFFER_SIZE, &hay);
+    i.hay = hay, i.cadaUno = std::intptr_t(bytesDe(o.tipoIndice));
+    for (const Tramo &t : o.tramos)
+        i.hasta = std::max(i.hasta, reinterpret_cast<std::intptr_t>(t.indices) + i.cadaUno * t.vertices);
+}
+
+void Sospechas::deMatrices(const Cableado &c, const Lienzo &l, int n) {
+    const std::vector<Matriz> todas = matricesDe(c);
+    const std::string texto = fuentesDelPrograma(GL_VERTEX_SHADER);
+    const Productos productos = todas.empty() ? Productos() : productosDe(texto);
+    for (const Matriz &m : todas) {
+        enPerspectiva = enPerspectiva || (l.nombre == 0 && m.valor[11] == -1);
+        pon(SEGURO, n, deMatriz(m, todas, productos, alReves()));
+    }
+    const Atributo *const posiciones = atributoDe(c, "osi"), *const normales = atributoDe(c, "ormal");
+    if (posiciones && normales)
+        pon(SEGURO, n,
+            deIluminacion({texto, fuentesDelPrograma(GL_FRAGMENT_SHADER), posiciones->variable.nombre,
+                           normales->variable.nombre},
+                          productos, matricesDe(c, true)));
+    for (const Uniforme &u : c.uniformes)
+        if (u.variable.tipo == GL_FLOAT && std::fabs(u.valor[0]) > 6.3 &&
+            u.valor[0] == std::floor(u.valor[0]) &&
+            std::regex_search(texto + fuentesDelPrograma(GL_FRAGMENT_SHADER),
+                              std::regex("\\b(sin|cos|tan)\\s*\\(\\s*" + u.variable.nombre + "\\s*\\)")))
+            pon(SEGURO, n,
+                "«" + u.variable.nombre +
+                    "» parece un ángulo en grados, y el shader le calcula el seno o el coseno",
+                "sin y cos quieren radianes: radians(" + u.variable.nombre +
+                    ") en el shader, o glm::radians.");
+}
+
+// Si no se ven las caras que tiene delante, o está alrededor de la cámara.
+void Sospechas::deMalla(const Cableado &c, const Orden &o, const Lienzo &l, const Malla &m, int n) {
+    if (m.triangulos.empty() || l.buferColor == GL_NONE)
+        return;
+    const Solido s = solidoDe(m.puntos, m.triangulos, alReves());
+    const bool quita = glIsEnabled(GL_CULL_FACE);
+    const GLenum cual = quita ? GLenum(entero(GL_CULL_FACE_MODE)) : GL_NONE;
+    const GLenum deFuera = s.antihorario == (entero(GL_FRONT_FACE) == GL_CCW) ? GL_FRONT : GL_BACK;
+    if (s.rodea && cual != deFuera && entero(GL_DEPTH_WRITEMASK) && haciaFuera(c))
+        pon(SEGURO, n,
+            oSi(conCero(productosDe(fuentesDelPrograma(GL_VERTEX_SHADER)), matricesDe(c)),
+                {"la cámara está dentro de lo que se dibuja en la orden " + std::to_string(n),
+                 "Aléjala, o mira el orden de sus transformaciones."}));
+    const std::string malla = std::to_string(entero(GL_VERTEX_ARRAY_BINDING)) + o.llamada;
+    quitadas[malla].insert(cual);
+    if (s.cerrado && !s.rodea && cual == deFuera)
+        sinLoDeFrente.push_back({n, malla});
+}
+
+// Si el shader da NaN, todo negro o mucho más de lo que se puede ver.
+void Sospechas::deColores(const Cableado &c, const Orden &o, const Lienzo &l, int n) {
+    const std::vector<Pixel> colores = coloresDe(o, l);
+    long hay = 0, raros = 0, negros = 0, pasados = 0;
+    std::string donde;
+    float mayor = 0;
+    for (std::size_t i = colores.size(); i-- > 0;) { // desde arriba
+        const Pixel &p = colores[i];
+        if (p == NINGUNO)
+            continue;
+        ++hay;
+        const float suma = p[0] + p[1] + p[2], suyo = std::max({p[0], p[1], p[2]});
+        negros += suma == 0;
+        pasados += suyo > 8;
+        if (suma == suma)
+            mayor = std::max(mayor, suyo);
+        else if (!raros++)
+            donde = std::to_string(int(i) % l.ancho) + " " + std::to_string(l.alto - 1 - int(i) / l.ancho);
+    }
+    const std::string orden = "en la orden " + std::to_string(n) + " el shader da ";
+    const auto de = [&](long cuantos) {
+        return " en " + std::to_string(cuantos) + " de sus " + std::to_string(hay) + " píxeles";
+    };
+    if (raros)
+        pon(SEGURO, n, orden + "algo que no es un número (NaN)" + de(raros),
+            "Pide el píxel " + donde +
+                " y se dirá la línea: normalize de un vector nulo, pow de un negativo, 0 / 0…");
+    if (pasados > hay / 2) {
+        std::string cual;
+        for (const Uniforme &u : c.uniformes)
+            if (u.valor.size() <= 4 && !esEntero(u.variable.tipo) && u.valor.size() > 2 &&
+                *std::max_element(u.valor.begin(), u.valor.end()) > 8 && cual.empty())
+                cual = " ¿Es por «" + u.variable.nombre + "»?";
+        pon(SEGURO, n,
+            orden + "colores de hasta " + std::to_string(long(mayor)) + de(pasados) + ", y van de 0 a 1",
+            "Lo que pasa de 1 se queda en 1. Si vienen de 0 a 255, divídelos por 255." + cual);
+    }
+    if (hay && negros == hay)
+        for (const Uniforme &u : c.uniformes)
+            if (u.valor.size() >= 3 && u.valor.size() <= 4 && u.dado &&
+                casiCero({u.valor.begin(), u.valor.begin() + 3}) && atributoDe(c, "ormal") &&
+                !esEntero(u.variable.tipo))
+                pon(std::regex_search(u.variable.nombre, std::regex("L[ads]?$|[Ll]u[zc]|[Ll]ight"))
+                        ? SEGURO
+                        : SI_NO_SE_VE_NADA,
+                    n, orden + "negro en todos sus píxeles, y «" + u.variable.nombre + "» es 0",
+                    "¿Está apagada la luz?");
 }
 
 void Sospechas::antes(const Orden &o, const Lienzo &l, const Cableado &cableado, int n) {
@@ -247,12 +445,30 @@ void Sospechas::antes(const Orden &o, const Lienzo &l, const Cableado &cableado,
     if (o.que == Orden::Que::Copia)
         return;
     hayDibujos = true;
+    delEstado(o, l, n);
+    if (!entero(GL_CURRENT_PROGRAM) || !entero(GL_VERTEX_ARRAY_BINDING))
+        return;
+    const std::optional<Primitivas> primitivas = primitivasDe(o);
+    for (const Dicho &d : deArrays(cableado, o, primitivas ? primitivas->indices : std::vector<GLuint>()))
+        pon(SEGURO, n, d);
+    const Atributo *const normales = atributoDe(cableado, "ormal");
+    const Atributo *const posiciones = atributoDe(cableado, "osi");
+    const auto unitarios = [](const auto &v) { return std::fabs(largo(v) - 1) < 1e-3; };
+    if (normales && posiciones &&
+        std::none_of(normales->primeros.begin(), normales->primeros.end(), unitarios) &&
+        std::all_of(posiciones->primeros.begin(), posiciones->primeros.end(), unitarios))
+        pon(SEGURO, n,
+            "«" + posiciones->variable.nombre + "» y «" + normales->variable.nombre +
+                "» parecen cambiados: miden 1 las posiciones y no las normales",
+            "Mira el índice y el desplazamiento de cada glVertexAttribPointer.");
+    if (o.tipoIndice != GL_NONE && entero(GL_ELEMENT_ARRAY_BUFFER_BINDING))
+        apuntaIndices(o);
+    deMatrices(cableado, l, n);
     delCableado(cableado, o, l, n);
     deNormales(cableado, n);
-    delEstado(o, l, n);
 }
 
-std::string Sospechas::porQueNada(const Orden &o, int n) {
+std::string Sospechas::porQueNada(const Orden &o, const Cableado &c, int n) {
     const GLuint programa = GLuint(entero(GL_CURRENT_PROGRAM));
     if (!programa) {
         pon(SEGURO, n, "se dibuja sin programa en uso", "Falta glUseProgram, o su programa no enlaza.");
@@ -262,6 +478,8 @@ std::string Sospechas::porQueNada(const Orden &o, int n) {
         return "no tiene vértices";
     if (!entero(GL_VERTEX_ARRAY_BINDING))
         return "no hay ningún VAO enlazado";
+    if (o.tipoIndice != GL_NONE && !entero(GL_ELEMENT_ARRAY_BUFFER_BINDING))
+        return "no hay buffer de índices";
     std::pair<std::string, std::string> que;
     int gravedad = SI_NO_SE_VE_NADA;
     {
@@ -281,7 +499,8 @@ std::string Sospechas::porQueNada(const Orden &o, int n) {
         const GLuint libre = cobertura ? cobertura : programa;
         if (!pasa(libre, false, false, false, false)) {
             glUseProgram(programa);
-            que = fueraDe(posicionesDe(o));
+            que = fueraDe(posicionesDe(o).puntos);
+            que = oSi(conCero(productosDe(fuentesDelPrograma(GL_VERTEX_SHADER)), matricesDe(c)), que);
             gravedad =
                 que.first.find("NaN") != que.first.npos || que.first.find("gl_Position") != que.first.npos
                     ? SEGURO
@@ -311,14 +530,20 @@ std::string Sospechas::despues(const Orden &o, const Lienzo &l, const Cableado &
     // common/encima pinta los rótulos con este sampler
     const bool rotulo = std::any_of(c.texturas.begin(), c.texturas.end(),
                                     [](const Textura &t) { return t.sampler == "atlas"; });
+    const bool puede = !rotulo && entero(GL_CURRENT_PROGRAM) && entero(GL_VERTEX_ARRAY_BINDING);
+    const Malla malla = puede ? posicionesDe(o) : Malla();
+    deMalla(c, o, l, malla, n);
     hayFigura = hayFigura || !rotulo;
     figuraEscrita = figuraEscrita || (!rotulo && fragmentos != 0);
     if (fragmentos == 0)
-        return porQueNada(o, n);
+        return porQueNada(o, c, n);
     if (rotulo)
         return "";
     hayEscrito = true;
-    const auto [corte, prueba] = corteDe(posicionesDe(o));
+    if (l.nombre == 0 && l.buferColor != GL_NONE && n <= MUCHAS &&
+        (EN_WEB || fragmentos > 0)) // -1: hay otra consulta
+        deColores(c, o, l, n);
+    const auto [corte, prueba] = corteDe(malla.puntos);
     if (!corte.empty())
         pon(SEGURO, n, "en la orden " + std::to_string(n) + ", " + corte, prueba);
     GLboolean m[4];
@@ -338,6 +563,26 @@ std::string Sospechas::despues(const Orden &o, const Lienzo &l, const Cableado &
 
 std::vector<Json> Sospechas::todas(bool unColor) {
     const bool noSeVeNada = unColor || (hayFigura && !figuraEscrita);
+    for (const DeFrente &d : sinLoDeFrente)
+        if (quitadas[d.malla].size() == 1) // si no, cada cara se dibuja por su lado
+            pon(SEGURO, d.orden,
+                "en la orden " + std::to_string(d.orden) +
+                    " se quitan las caras de delante y se ve por dentro",
+                "Están al revés el sentido de los vértices, glFrontFace o glCullFace.");
+    for (const auto &[bufer, i] : indices)
+        if (i.hasta > 0 && i.hasta < i.hay && (3 * i.hasta == i.hay || i.hasta == 3 * i.cadaUno))
+            pon(SEGURO, 0,
+                "solo se dibujan " + std::to_string(i.hasta / i.cadaUno) + " de los " +
+                    std::to_string(i.hay / i.cadaUno) + " índices del buffer " + std::to_string(bufer),
+                "glDrawElements quiere el número de índices, no el de triángulos ni el de vértices de cada "
+                "uno.");
+    const bool borraProfundidad = std::count(conProfundidad.begin(), conProfundidad.end(), 0u);
+    if (borraProfundidad && enPerspectiva && enVentana && !conTest)
+        pon(SEGURO, 0, "se borra la profundidad y ninguna orden la mira: GL_DEPTH_TEST no está puesto",
+            "Falta glEnable(GL_DEPTH_TEST): lo último que se dibuja tapa a lo demás.");
+    if (borraProfundidad && conTest && !apuntaProfundidad)
+        pon(SEGURO, 0, "glDepthMask es GL_FALSE en todas las órdenes: ninguna apunta su profundidad",
+            "Falta glDepthMask(GL_TRUE): lo último que se dibuja tapa a lo demás.");
     if (borradoElFinal)
         pon(SEGURO + 1, 0, "la ventana se borra después de dibujar en ella",
             "glClear va antes que lo demás.");

@@ -1,9 +1,18 @@
 // Lo que suele estar mal cuando la ventana queda negra o no es lo que se esperaba; solo lo que es así en este cuadro.
 #pragma once
 #include "cableado.h"
+#include "deduce.h"
 #include "ordenes.h"
+#include <map>
+#include <set>
 
 namespace explica {
+
+/// Los vértices de una orden y, si están todos, sus triángulos.
+struct Malla {
+    Puntos puntos;
+    std::vector<GLuint> triangulos;
+};
 
 struct Sospecha {
     int gravedad; // antes las mayores
@@ -18,12 +27,29 @@ class Sospechas {
     bool hayFigura = false, figuraEscrita = false; // lo que no es un rótulo
     bool hayDibujos = false, hayEscrito = false, enVentana = false, borradoElFinal = false;
     std::vector<GLuint> conProfundidad; // los framebuffers en que se ha borrado
+    bool conTest = false, apuntaProfundidad = false, enPerspectiva = false; // alguna orden, en la ventana
+    struct DeFrente {
+        int orden;
+        std::string malla;
+    };
+    std::vector<DeFrente> sinLoDeFrente;              // las órdenes que quitan las caras de delante
+    std::map<std::string, std::set<GLenum>> quitadas; // de cada malla, las caras que quita alguna
+    struct Indices {
+        std::intptr_t cadaUno = 4, hay = 0, hasta = 0; // en bytes
+    };
+    std::map<GLint, Indices> indices; // de cada buffer, los que se usan
 
     void pon(int gravedad, int orden, const std::string &dice, const std::string &prueba);
+    void pon(int gravedad, int orden, const Dicho &dicho);
+    void apuntaIndices(const Orden &orden);
+    void deMatrices(const Cableado &cableado, const Lienzo &lienzo, int n);
+    void deMalla(const Cableado &cableado, const Orden &orden, const Lienzo &lienzo, const Malla &malla,
+                 int n);
+    void deColores(const Cableado &cableado, const Orden &orden, const Lienzo &lienzo, int n);
     void delCableado(const Cableado &cableado, const Orden &orden, const Lienzo &lienzo, int n);
     void delEstado(const Orden &orden, const Lienzo &lienzo, int n);
     void deNormales(const Cableado &cableado, int n);
-    std::string porQueNada(const Orden &orden, int n);
+    std::string porQueNada(const Orden &orden, const Cableado &cableado, int n);
 
 public:
     /// Antes de hacerla. Hay que tener el estado del programa.

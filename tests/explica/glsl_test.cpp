@@ -143,8 +143,6 @@ TEST(ExplicaGlsl, DiceLoQueNoSabe) {
         std::string texto, motivo;
     } MAL[] = {
         {"#version 140\nout vec4 o;\n", "3: no hay main"},
-        {"#version 140\n#define P(a) a##a\nvoid main() {\n    int P(x);\n}\n",
-         "4: no sé pegar palabras con ##"},
         {"#version 140\nvoid main() {\n    int explica_x;\n}\n", "3: los nombres que empiezan por explica_"},
         {"#version 140\n#define A B(B(B(B(B(B(B(B(1))))))))\n#define B(x) x x x x x x x x\nvoid main() {\n   "
          " A;\n}\n",
@@ -159,6 +157,18 @@ TEST(ExplicaGlsl, DiceLoQueNoSabe) {
             (std::to_string(r.sinSeguir[0].linea) + ": " + r.sinSeguir[0].motivo).substr(0, m.motivo.size()),
             m.motivo);
     }
+}
+
+// Los else if van seguidos, y no unos dentro de otros: no hay límite. Y lo que OpenGL define se le pregunta.
+TEST(ExplicaGlsl, MuchosElseYLoDefinido) {
+    std::string cuerpo = "int k = 0;\nif (uno == 300) k = 1;\n";
+    for (int i = 0; i < 260; ++i)
+        cuerpo += "else if (uno == 7) k = 2;\n";
+    const std::string global = "\n#if defined(GL_si) && !defined(GL_no) && GL_si\n#else\nno\n#endif";
+    const Reescrito r = reescribe(conMain(global, cuerpo), 3, Etapa::Fragmento,
+                                  [](const auto &, const std::string &nombre) { return nombre == "GL_si"; });
+    EXPECT_TRUE(r.sinSeguir.empty()) << r.sinSeguir[0].motivo;
+    EXPECT_GT(r.notas.size(), 500u);
 }
 
 // Lo que da tiene una medida.

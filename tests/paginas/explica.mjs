@@ -7,7 +7,10 @@ import { tmpdir } from 'node:os';
 import { BUILD, dePython, lee, PROGRAMAS } from './navegador.mjs';
 
 const CADA = 3; // de los programas, uno
-const SIN_SOSPECHAS = { tiras: '«diametroPunto»', primer_programa: 'no se dibuja nada' }; // con razón, y a propósito
+const SIN_SOSPECHAS = { // con razón, y a propósito
+  tiras: '«diametroPunto»', primer_programa: 'no se dibuja nada',
+  zbuffer: 'GL_DEPTH_TEST', grua_zbuffer: 'GL_DEPTH_TEST',
+};
 
 /// En la página: lo que no cuadra de lo que se dice de ese píxel, y lo que se dice. La historia acaba en el color de la
 /// imagen; el shader da el color que se le apunta, y nada cambia.

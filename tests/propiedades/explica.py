@@ -37,6 +37,9 @@ SIN_SOSPECHAS = {  # lo que se sospecha, con razón, y aquí es así a propósit
     "normales": "determinante 0",  # aplastar un objeto
     "hermite": "0 vértices",  # de lo que aún no se ve
     "primer_programa": "no se dibuja nada",  # solo borra
+    "zbuffer": "GL_DEPTH_TEST no está puesto",  # es lo que enseña
+    "grua_zbuffer": "GL_DEPTH_TEST no está puesto",
+    "volumen_vista": "el plano lejos la corta",  # es lo que enseña
     "tiras": "«diametroPunto»",  # solo hace falta cuando se dibujan los puntos
 }
 TALLAS = "960x3", "3x960", "1x1"
@@ -162,6 +165,12 @@ def distancia(a, b):
     return max(abs(x - y) for x, y in zip(a, b))
 
 
+def canales_de(cuadro):
+    """Los que deja escribir glColorMask en cada orden."""
+    de_color = ((o["n"], e["valor"]) for o in cuadro["ordenes"] for e in o["estado"] if e["nombre"] == "glColorMask")
+    return {n: valor.strip("-") for n, valor in de_color}
+
+
 def fallos_de_pixel(explicado, imagen, canales):
     x, y = explicado["pixel"]
     suyo = list(imagen[3 * (y * ANCHO + x) :][:3])
@@ -203,9 +212,7 @@ def fallos_de(build, orden, puntos, golden, sabido):
     fallos += [f"se sospecha: {dice}" for dice in dichas]
     if [tuple(e["pixel"]) for e in explicados] != puntos:
         fallos.append("no están los píxeles que se piden")
-    canales = {
-        o["n"]: e["valor"].strip("-") for o in cuadro["ordenes"] for e in o["estado"] if e["nombre"] == "glColorMask"
-    }
+    canales = canales_de(cuadro)
     return fallos + [f"{e['pixel']}: {fallo}" for e in explicados for fallo in fallos_de_pixel(e, imagen, canales)]
 
 

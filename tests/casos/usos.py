@@ -1,0 +1,97 @@
+"""usos.py BUILD [USO…] [--todos]: cada uso de usos.inc en una de las dos bases de usos.cpp o, con --todos, en ambas, a
+través de ./lab explica, que debe acabar bien y:
+
+- de un error, nombrarlo en su primera sospecha;
+- de lo legal, no sospechar nada, seguir todas sus líneas y cumplir en el píxel dibujado más cercano al centro lo mismo
+  que en los programas del laboratorio (propiedades/explica.py).
+
+Estado 1 si algo no se cumple.
+"""
+import json
+import os
+import re
+import subprocess
+import sys
+import tempfile
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+RAIZ = Path(__file__).parents[2]
+sys.path.insert(0, str(RAIZ / "tests/propiedades"))
+import explica  # noqa: E402
+
+FILA = re.compile(r'^USO\((\w+), "(.*?)"', re.M)
+LISTA = Path(__file__).with_suffix(".inc")
+NO_SE_SABE = {  # y se dice, también en la terminal
+    "cubo_sin_usar": "depende de lo que el programa aún no usa («cielo»)",
+    "listas": "no sé leer «{» en una expresión",
+    "nombre_nuestro": "los nombres que empiezan por explica_ los pone esto",
+}
+
+
+def cerca_del_centro(imagen):
+    """Un píxel que no es del fondo."""
+
+    def es_fondo(p):
+        return imagen[3 * (p[1] * explica.ANCHO + p[0]) :][:3] == imagen[-3:]
+
+    todos = [(x, y) for x in range(0, explica.ANCHO, 3) for y in range(0, explica.ALTO, 3)]
+    return min((p for p in todos if not es_fondo(p)), key=lambda p: (p[0] - 120) ** 2 + (p[1] - 90) ** 2)
+
+
+def explicado(build, carpeta, pixel, entorno):
+    """Lo que da ./lab explica y lo que escribe; si no acaba bien, lo que dice."""
+    orden = [sys.executable, "-B", RAIZ / "herramientas", "explica.orden", RAIZ, build, carpeta]
+    suyo = ["casos", "usos", "usos", "Usos", *map(str, pixel), "--json", carpeta / "e.json"]
+    r = subprocess.run([*orden, *suyo], env={**os.environ, **entorno}, capture_output=True, text=True)
+    if r.returncode:
+        return None, f"acaba con {r.returncode}: {r.stderr.strip()}"
+    return json.loads((carpeta / "e.json").read_text()), r.stdout
+
+
+def fallos_de(build, base, uso, debe):
+    with tempfile.TemporaryDirectory() as carpeta:
+        carpeta, entorno = Path(carpeta), {"BASE": base, "USO": uso}
+        if not debe:
+            imagen = explica.dibuja([build / "osmesa/casos/usos"], carpeta, **entorno)
+        cuadro, dice = explicado(build, carpeta, [] if debe else cerca_del_centro(imagen), entorno)
+    if not cuadro:
+        return [dice]
+    dichas = [f"{s['dice']}. {s['prueba']}" for s in cuadro["sospechas"]]
+    if debe:
+        return [] if any(re.search(debe, dicha) for dicha in dichas[:1]) else [f"falta «{debe}» en {dichas}"]
+    canales = explica.canales_de(cuadro)
+    fallos = [f"se sospecha: {d}" for d in dichas] + list(explica.fallos_de_pixel(cuadro, imagen, canales))
+    if len(cuadro["historia"]) < 2:
+        fallos.append("nada cubre el píxel")
+    trazas = [t for t in [cuadro.get("sombreado", {}).get("fragmento")] if t]
+    fallos += [f"no sigue la línea {s['linea']}: {s['motivo']}" for t in trazas for s in t["sinSeguir"]]
+    if uso not in NO_SE_SABE:
+        return fallos
+    fallos = [f for f in fallos if not f.startswith("no se") and not NO_SE_SABE[uso] in f]
+    return fallos + ["no se dice lo que no se sabe"] * (NO_SE_SABE[uso] not in dice)
+
+
+def main():
+    build, *resto = sys.argv[1:]
+    build, todos = Path(build).absolute(), "--todos" in resto
+    filas = FILA.findall(LISTA.read_text())
+    elegidas = [f for f in filas if not set(resto) - {"--todos"} or f[0] in resto]
+    trabajos = [
+        (base, *fila)
+        for i, fila in enumerate(elegidas)
+        for base in (("toro", "grua") if todos else ("toro", "grua")[i % 2 :][:1])
+    ]
+    with ThreadPoolExecutor(os.cpu_count()) as hilos:
+        de_cada = list(hilos.map(lambda t: fallos_de(build, *t), trabajos))
+    for (base, uso, debe), fallos in zip(trabajos, de_cada):
+        for fallo in fallos:
+            print(f"{'error' if debe else 'legal'} {uso}, {base}: {fallo}")
+    for que, bien in (("errores", True), ("usos legales", False)):
+        suyos = [fallos for (*_, debe), fallos in zip(trabajos, de_cada) if bool(debe) == bien]
+        print(f"{que}: bien {sum(not fallos for fallos in suyos)} de {len(suyos)}")
+    return not trabajos or any(de_cada)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
