@@ -220,8 +220,8 @@ class Motivos:
                 yield f"parece que {pares[i][0].dice}; y que {pares[i][1].dice}", jugador
 
     def de_dos(self, sitio, *suyos):
-        """Quien juega con esos dos, o None: en un shader uno puede ser parte de lo que cambia el otro, y donde corrige VPL
-        no se puede escribir."""
+        """Quien juega con esos dos, o None: en un shader uno puede ser parte de lo que cambia el otro, y donde corrige
+        VPL no se puede escribir."""
         try:
             with self.turno:
                 if any(m.en_shader for m in suyos) and not (sitio / nombre_de(suyos)).is_dir():
