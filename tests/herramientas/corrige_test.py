@@ -424,12 +424,12 @@ def test_cuando_se_injerta(tmp_path, juzga):
         )
         hecha = de_clase.corrige(banco_falso(tmp_path, de_partida=hoy), tmp_path / "e")
         assert hecha["nota"] == nota and (injerto.SE_CORRIGE in hecha["dice"]) == (nota == 80)
+    (tmp_path / "e/ejercicio.txt").unlink()
+    assert de_clase.corrige(banco_falso(tmp_path, de_partida=hoy), tmp_path / "e")["nota"] == 30
     juzga(lambda banco, suya: {"nota": 20 if b"// hoy" in suya.ficheros["p.cpp"] else 30, "dice": []})
     siembra(tmp_path / "e", {"ejercicio.txt": f"{REF} x\n"})
     hecha = de_clase.corrige(banco_falso(tmp_path, de_partida=hoy), tmp_path / "e")
     assert hecha["nota"] == 30 and hecha["dice"] == [injerto.SE_EMPEZO]
-    (tmp_path / "e/ejercicio.txt").unlink()
-    assert de_clase.corrige(banco_falso(tmp_path, de_partida=hoy), tmp_path / "e")["nota"] == 30
 
 
 def test_en_que_ventana_es_un_pixel():
