@@ -370,8 +370,8 @@ TEST(Sombreado, CadaModeloContraSuMallaEnDoble) {
 }
 
 // --- grua_iluminada ----------------------------------------------------------------------------------------
-/// El suelo, la zapata, la caseta y la grúa del ejercicio 3.5 con sus medidas, girada `giro`, con la carga a `lejos` del
-/// pie y a esa altura.
+/// El suelo, la zapata, la caseta y la grúa del ejercicio 3.5 con sus medidas, girada `giro`, con la carga a `lejos`
+/// del pie y a esa altura.
 struct Grua {
     std::string guion;
     int modelo;

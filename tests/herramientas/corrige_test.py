@@ -232,6 +232,7 @@ def test_de_dos_en_dos_los_que_pueden_ser():
     fuente = marcado("a = 1;\nb = 2;", "c = 3;\nd = 4;")
     lista = ("a", "x"), ("b", "y"), ("c", "x"), ("d", "z")
     suyos = [Mutante("l", i, i, "p.cpp", f"{v} = «{i}»", "0", imita, "", v) for i, (v, imita) in enumerate(lista, 1)]
+    suyos.append(Mutante("l", 9, 9, "p.cpp", "«a = 1»", "0", "x", "", "e"))  # estropea lo del primero
     todos = SimpleNamespace(defectos=suyos, programa=SimpleNamespace(raices=[1]), textos=lambda: {"p.cpp": fuente})
     todos.trozos = lambda: [("p.cpp", t) for t in marcas.TROZO.finditer(fuente)]
     todos.de_dos = lambda _, *par: "".join(m.dice for m in par)
@@ -240,6 +241,7 @@ def test_de_dos_en_dos_los_que_pueden_ser():
         return [quien for _, quien in motivos.Motivos.parejas(todos, None, tocado, dict(zip(suyos, tocan)))]
 
     assert prueba(0b1111, 0b0011, 0b1100, 0b0111, 0b1000) == ["ac", "ab", "cd"]
+    assert "ae" not in prueba(0b1111, 0b0011, 0, 0, 0, 0b1100)
     assert prueba(0b1111, 0b0001, 0b0010, 0b0001, 0b0010) == ["ac"]
 
 
@@ -424,6 +426,10 @@ def test_cuando_se_injerta(tmp_path, juzga):
         assert hecha["nota"] == nota and (injerto.SE_CORRIGE in hecha["dice"]) == (nota == 80)
     (tmp_path / "e/ejercicio.txt").unlink()
     assert de_clase.corrige(banco_falso(tmp_path, de_partida=hoy), tmp_path / "e")["nota"] == 30
+    juzga(lambda banco, suya: {"nota": 20 if b"// hoy" in suya.ficheros["p.cpp"] else 30, "dice": []})
+    siembra(tmp_path / "e", {"ejercicio.txt": f"{REF} x\n"})
+    hecha = de_clase.corrige(banco_falso(tmp_path, de_partida=hoy), tmp_path / "e")
+    assert hecha["nota"] == 30 and hecha["dice"] == [injerto.SE_EMPEZO]
 
 
 def test_en_que_ventana_es_un_pixel():

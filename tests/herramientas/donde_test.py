@@ -93,21 +93,21 @@ def traza(*pasos):
 
 
 BUCLE = "suma = 0.0;\nfor (int i = 0; i < 2; i++)\n    suma += f(i);\nc = suma;"
-VUELTAS = (2, "i", 0), (3, "suma", 1), (2, "i", 1), (3, "suma", 3), (4, "c", 3)
+VUELTAS = (2, "i", 0), (3, "st", 7), (3, "suma", 1), (2, "i", 1), (3, "st", 8), (3, "suma", 3), (4, "c", 3)
 
 
 def test_el_primer_paso_que_se_aparta():
-    """En otro orden da lo mismo; si no, la línea que yerra: la última vuelta, la de más o la primera de que sale."""
-    al_reves = (2, "i", 1), (3, "suma", 2), (2, "i", 0), (3, "suma", 3), (4, "c", 3)
+    """En otro orden, o en dos veces, da lo mismo; si no, la línea que yerra: la última vuelta, la de más o la primera de
+    que sale."""
+    al_reves = (2, "i", -1), (3, "st", 8), (3, "suma", 2), (2, "i", -2), (3, "st", 7), (3, "suma", 3), (4, "c", 3)
     dice = lambda *pasos: donde.primer_paso(traza(*pasos), traza(*VUELTAS), [BUCLE, BUCLE])
-    assert dice(*al_reves) is None
-    assert dice(*al_reves[:3], (3, "suma", 4), (4, "c", 4)) == (3, [3], [])
-    de_mas = *VUELTAS[:4], (4, "suma", 1.5), (5, "c", 1.5)
-    assert dice(*de_mas) == (4, [3], [])
-    suelto = *VUELTAS[:4], (4, "mitad", 0), (5, "d", 0), (6, "c", 0)
+    assert dice(*al_reves) is None and dice(*VUELTAS[:5], (3, "suma", 2), (4, "suma", 3), (5, "c", 3)) is None
+    assert dice(*al_reves[:5], (3, "suma", 4), (4, "c", 4)) == (5, [3], [])
+    assert dice(*VUELTAS[:6], (4, "suma", 1.5), (5, "c", 1.5)) == (6, [3], [])
+    suelto = *VUELTAS[:6], (4, "mitad", 0), (5, "d", 0), (6, "c", 0)
     i, esperado, sueltos = dice(*suelto)
     fuente = "\n\n\nmitad = 1 / 2;\nd = suma * mitad;\nc =\n d;"
-    assert (i, esperado) == (6, [3]) and donde.de_que_sale(traza(*suelto)["lineas"], sueltos, i, fuente) == [4, 5]
+    assert (i, esperado) == (8, [3]) and donde.de_que_sale(traza(*suelto)["lineas"], sueltos, i, fuente) == [6, 7]
 
 
 def test_un_shader_que_se_incluye_a_si_mismo_acaba():

@@ -4,9 +4,10 @@ import itertools
 import tempfile
 import threading
 import zlib
+from contextlib import suppress
 from pathlib import Path
 
-from base.procesos import escribe, lanza
+from base.procesos import Fallo, escribe, lanza
 from ejercicios.corrige.partidas import TALLA, Partida
 from ejercicios.reglas import Reglas
 
@@ -96,8 +97,9 @@ class Arbitro:
         except (OSError, zlib.error):
             datos = self.juega_de_nuevo(jugador, guion, procesador)
             parcial = guardada.with_name(f"{guardada.name}.{threading.get_ident()}")
-            escribe(parcial, zlib.compress(datos, 1))
-            parcial.replace(guardada)
+            with suppress(Fallo, OSError):  # donde corrige VPL no se puede escribir
+                escribe(parcial, zlib.compress(datos, 1))
+                parcial.replace(guardada)
             return Partida.lee(datos, guion)
 
     # --- comparar ---

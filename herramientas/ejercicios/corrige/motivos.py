@@ -220,13 +220,14 @@ class Motivos:
                 yield f"parece que {pares[i][0].dice}; y que {pares[i][1].dice}", jugador
 
     def de_dos(self, sitio, *suyos):
-        """Quien juega con esos dos, o None: en un shader puede que uno sea parte de lo que cambia el otro."""
+        """Quien juega con esos dos, o None: en un shader uno puede ser parte de lo que cambia el otro, y donde corrige
+        VPL no se puede escribir."""
         try:
             with self.turno:
                 if any(m.en_shader for m in suyos) and not (sitio / nombre_de(suyos)).is_dir():
                     self.planta_en_shaders(sitio, *(m for m in suyos if m.en_shader))
             return self.con_defecto(suyos[0], sitio, suyos[1])
-        except (ValueError, Rechazo):
+        except (ValueError, OSError, Fallo, Rechazo):
             return None
 
     def por_que(self, partidas, esperadas, fallan):
