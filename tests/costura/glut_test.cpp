@@ -1,5 +1,7 @@
-// glut_sin_ventana: lo que dice de la ventana, contra lo que hay; lo que rechaza, y lo que ve su diario.
+// glut_sin_ventana: partidas al azar, contra lo que dijo de ellas un modelo; lo que dice de la ventana, contra lo que
+// hay; lo que rechaza, y lo que ve su diario.
 #include "ejecuta.h"
+#include "rutas.h"
 #include <GL/glew.h>
 #include <GL/freeglut.h>
 #include <cstdlib>
@@ -7,6 +9,7 @@
 #include <functional>
 #include <gtest/gtest.h>
 #include <regex>
+#include <sstream>
 #include <unistd.h>
 #include <utility>
 
@@ -66,6 +69,31 @@ void abre(unsigned modo, std::vector<std::string> opciones = {}) {
 }
 
 } // namespace
+
+TEST(Glut, ComoElModelo) {
+    std::istringstream partidas(leeFichero(recurso("tests/golden/costura/partidas.txt")));
+    std::string linea, tandas, guion;
+    int jugadas = 0;
+    while (std::getline(partidas, linea)) {
+        if (linea[0] != '=')
+            continue;
+        std::getline(partidas, tandas);
+        std::getline(partidas, guion);
+        std::string debe = "título: Registro, así: θ · 2° → π\n", acaba;
+        while (acaba != "fin" && std::getline(partidas, acaba))
+            debe += acaba + "\n";
+        for (const char *destino : {"osmesa", "egl"}) {
+            const std::string registro = std::string("../tests/registro_") + destino;
+            if (!std::filesystem::exists(LAB_EJECUTABLES "/" + registro))
+                continue;
+            const Ejecucion e = ejecuta(registro, guion, 300, 200, {"-rasgos", "-titulos", "-", tandas});
+            EXPECT_EQ(e.errores, "");
+            ASSERT_EQ(e.salida, debe) << destino << ", partida " << linea;
+        }
+        ++jugadas;
+    }
+    EXPECT_EQ(jugadas, 24);
+}
 
 // EGL no tiene plantilla sin profundidad: ahí hay más de lo que se pide.
 TEST(Glut, DiceLoQueHay) {
