@@ -18,8 +18,9 @@
 static const std::vector<VerticeColor> VERTICES = {
     {{0.00f, -0.68f, 0}, NARANJA}, {{0.81f, -0.42f, 0}, ROJO},      {{0.34f, -0.08f, 0}, AZUL},
     {{0.00f, 0.66f, 0}, VERDE},    {{-0.34f, -0.08f, 0}, AMARILLO}, {{-0.81f, -0.42f, 0}, MORADO}};
-static const Lado LADOS[] = {Lado::DEBAJO, Lado::DEBAJO,    Lado::DERECHA,
-                             Lado::ENCIMA, Lado::IZQUIERDA, Lado::DEBAJO};
+// Del vértice al centro de su número: hacia donde no hay nada, o menos.
+static const glm::vec3 AL_NUMERO[] = {{0, -0.16f, 0}, {0, -0.16f, 0},     {0.13f, 0.08f, 0},
+                                      {0, 0.16f, 0},  {-0.13f, 0.08f, 0}, {0, -0.16f, 0}};
 static const int N_VERTICES = 6;
 
 static const struct {
@@ -51,7 +52,7 @@ static void dibujaPanel(const Recuadro &panel, int i, const char *nombre, float 
     const GLenum primitiva = PRIMITIVAS[i].primitiva;
     const bool esLinea = primitiva == GL_LINES || primitiva == GL_LINE_STRIP || primitiva == GL_LINE_LOOP;
     const int pincel = esLinea ? lado / 72 : 0; // medio lado del pincel, en píxeles
-    envia(estado.programa, "diametroPunto", std::max(float(lado) / 14, 3.0f));
+    envia(estado.programa, "diametroPunto", std::max(float(lado) / 20, 3.0f));
     for (int dy = -pincel; dy <= pincel; ++dy)
         for (int dx = -pincel; dx <= pincel; ++dx) {
             glViewport(x + dx, y + dy, lado, lado);
@@ -59,8 +60,8 @@ static void dibujaPanel(const Recuadro &panel, int i, const char *nombre, float 
         }
     glViewport(x, y, lado, lado);
     for (int k = 0; k < N_VERTICES; ++k)
-        rotulaPunto(std::to_string(k), VERTICES[k].posicion, glm::mat4(1), OSCURO, LADOS[k],
-                    0.06f * float(lado) / (altoFigura * altoUtil()));
+        rotulaPunto(std::to_string(k), VERTICES[k].posicion + AL_NUMERO[k], glm::mat4(1), OSCURO,
+                    Lado::CENTRO, 0.07f * float(lado) / altoUtil());
 }
 
 static void dibuja() {

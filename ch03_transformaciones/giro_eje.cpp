@@ -19,7 +19,6 @@
 #include "transformaciones.h"
 #include "trazo.h"
 #include "ventana.h"
-#include <cstring>
 #include <glm/gtc/constants.hpp>
 
 static const float PASO_GIRO = 0.1f;         // radianes
@@ -65,11 +64,14 @@ static std::vector<glm::vec3> recorrido(const glm::vec3 &d, float desde, float h
     return puntos;
 }
 
+// Con el rótulo en la punta o, si es de más de una letra, a ese lado de un punto de la flecha: en la punta de d, en el
+// eje X, taparía el avión.
 static void trazaVector(const char *nombre, const glm::vec3 &v, float largo, const glm::mat4 &transformacion,
-                        const glm::vec3 &color) {
+                        const glm::vec3 &color, float punto, Lado lado) {
     trazaFlecha(glm::vec3(0), largo * v, transformacion, color, 2 * GROSOR);
-    rotulaPunto(nombre, (largo + 0.15f * std::sqrt(float(std::strlen(nombre)))) * v, transformacion, color,
-                Lado::CENTRO);
+    const bool enPunta = nombre[1] == '\0';
+    rotulaPunto(nombre, (enPunta ? largo + 0.15f : punto) * v, transformacion, color,
+                enPunta ? Lado::CENTRO : lado);
 }
 
 // Lo que se lleva hecho de la ecuación 3.10.
@@ -107,13 +109,13 @@ static void dibuja() {
     }
     trazaPolilinea({-1.6f * d, glm::vec3(0)}, enBase, OSCURO, 1.5f * GROSOR);
     const glm::mat3 base = glm::transpose(R); // d, e y f, que eran filas, son columnas
-    trazaVector(cambiado ? "e = Y" : "e", base[1], 0.9f, enBase, VERDE);
-    trazaVector(cambiado ? "f = Z" : "f", base[2], 0.9f, enBase, AZUL);
-    trazaVector(cambiado ? "d = X" : "d", base[0], 1.6f, enBase, ROJO);
-    const glm::vec3 medio = arco[arco.size() / 2];
+    trazaVector(cambiado ? "e=Y" : "e", base[1], 0.9f, enBase, VERDE, 0.9f, Lado::ENCIMA);
+    trazaVector(cambiado ? "f=Z" : "f", base[2], 0.9f, enBase, AZUL, 0.85f, Lado::DEBAJO);
+    trazaVector(cambiado ? "d=X" : "d", base[0], 1.6f, enBase, ROJO, 0.7f, Lado::ENCIMA);
+    const glm::vec3 medio = arco[2 * arco.size() / 5];
     const glm::vec3 haciaFuera = unitario(medio - glm::dot(medio, d) * d);
     if (estado.paso >= GIRADO)
-        rotulaPunto("φ", medio + 0.2f * haciaFuera, enBase, MORADO, Lado::CENTRO);
+        rotulaPunto("φ", medio + 0.25f * haciaFuera, enBase, MORADO, Lado::CENTRO);
     rotula(describe(d), {0.5f, 0.05f}, OSCURO);
     rotula(PASOS[estado.paso], {0.03f, 0.95f}, OSCURO, Lado::DERECHA);
     ponTitulo("Giro alrededor de un eje: " + describe(d));

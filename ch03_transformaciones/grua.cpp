@@ -22,10 +22,10 @@ static const struct {
     const char *nombre;
     glm::vec3 punto; // del cubo de lado uno, o cerca
     Lado lado;
-} ROTULOS[] = {{"pie", {-0.5f, 0, 0.5f}, Lado::IZQUIERDA}, // en el orden de piezasGrua
+} ROTULOS[] = {{"pie", {-1.2f, 0, 0}, Lado::IZQUIERDA}, // en el orden de piezasGrua
                {"brazo", {0, 0.5f, 0}, Lado::ENCIMA},
                {"contrapeso", {-0.8f, -0.2f, 0}, Lado::IZQUIERDA},
-               {"cable", {0.5f, 0, -0.5f}, Lado::DERECHA},
+               {"cable", {3, -0.4f, -0.5f}, Lado::DERECHA},
                {"carga", {0, -0.8f, 0}, Lado::DEBAJO}};
 
 static struct {

@@ -89,15 +89,20 @@ static void trazaLado(int i, const glm::mat4 &M, const glm::mat4 &transformacion
     const auto flecha = [&](const glm::vec3 &v, const glm::vec3 &color, const char *nombre) {
         trazaFlecha(pie, pie + largo * v, transformacion, color, 1.5f * GROSOR);
         if (i == CASOS[estado.elegido].ladoRotulado)
-            rotulaPunto(nombre, pie + (estado.alReves ? -0.3f : largo + 0.24f) * unitario(v), transformacion,
+            rotulaPunto(nombre, pie + (estado.alReves ? -0.8f : largo + 0.24f) * unitario(v), transformacion,
                         color, Lado::CENTRO);
     };
     const glm::vec3 n = (estado.alReves ? -1.0f : 1.0f) * normalLado(i);
     const glm::vec3 Nn = matrizNormal(M) * n, conM = unitario(glm::mat3(M) * n);
     const glm::vec3 conN = unitario(Nn, {0, 0, 0});
     const bool coinciden = glm::dot(conM, conN) > 0.999f, hayNormal = conN != glm::vec3(0);
-    if (estado.tangentes)
+    if (estado.tangentes) {
         trazaFlecha(M * (medio - medioLado), M * (medio + medioLado), transformacion, AZUL, 1.5f * GROSOR);
+        if (i == (CASOS[estado.elegido].ladoRotulado + 2) % LADOS) // enfrente de las normales rotuladas
+            rotulaPunto("M·t",
+                        glm::vec3(M * (medio + 0.55f * medioLado)) + 0.25f * (estado.alReves ? -conN : conN),
+                        transformacion, AZUL, Lado::CENTRO);
+    }
     if (estado.sinNormalizar && hayNormal) {
         trazaSegmentos({pie, pie + largo * conN}, transformacion, GRIS);
         trazaPuntos({pie + largo * conN}, transformacion, GRIS);
@@ -125,8 +130,6 @@ static void dibuja() {
     for (int k = 1; k <= LADOS; ++k) // el rotulado, el último, que nada tape sus rótulos
         trazaLado((ladoRotulado + k) % LADOS, M, proyeccion * camara);
     rotula(nombre, {0.03f, 0.06f}, OSCURO, Lado::DERECHA);
-    if (estado.tangentes)
-        rotula("M·t", {0.97f, 0.06f}, AZUL, Lado::IZQUIERDA);
     glutSwapBuffers();
 }
 

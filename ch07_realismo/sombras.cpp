@@ -26,7 +26,8 @@ static const Plano MESA = {{0, 1, 0}, 0};
 static const glm::vec3 TALLA_MESA(6, 0.25f, 4.4f);
 static const glm::vec3 VUELO(0.06f, 0, 0.06f); // del tablero: sin él, asomaría la tabla por su canto
 static const float UNIDADES_POR_ALTO = 1.8f;   // al arrastrar la luz de abajo arriba de la ventana
-static const float PASO = 0.2f, FONDO = 2;     // de la luz en profundidad: lo que anda y hasta dónde
+static const float RADIO_LUZ = 0.14f;
+static const float PASO = 0.2f, FONDO = 2; // de la luz en profundidad: lo que anda y hasta dónde
 
 static Material pintura(const glm::vec3 &color) {
     return {0.35f * color, 0.75f * color, glm::vec3(0.3f), 30};
@@ -119,9 +120,9 @@ static void dibuja() {
     });
 
     const Material lampara = {glm::vec3(1, 0.95f, 0.6f), glm::vec3(0), glm::vec3(0), 1};
-    dibujaIluminado(p, estado.esfera, traslacion(estado.luz) * escalado(0.14f), camara, lampara);
+    dibujaIluminado(p, estado.esfera, traslacion(estado.luz) * escalado(RADIO_LUZ), camara, lampara);
     dibujaSombras(camara, proyeccion);
-    rotulaPunto("luz", estado.luz, proyeccion * camara, OSCURO, Lado::ENCIMA);
+    rotulaPunto("luz", estado.luz + glm::vec3(0, RADIO_LUZ, 0), proyeccion * camara, OSCURO, Lado::ENCIMA);
     glutSwapBuffers();
 }
 

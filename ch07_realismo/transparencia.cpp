@@ -83,7 +83,7 @@ static void dibujaVista(const Recuadro &r, float alfa) {
     glDisable(GL_BLEND);
     glDepthMask(GL_TRUE);
 
-    rotula(formatea("α = %.1f", alfa), {0.5f, 0.93f}, OSCURO, Lado::CENTRO, 0.055f);
+    rotula(formatea("α = %.1f", alfa), {0.5f, 0.93f}, OSCURO, Lado::CENTRO, estado.compara ? 0.035f : 0.055f);
 }
 
 static void dibuja() {

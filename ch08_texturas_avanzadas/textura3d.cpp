@@ -85,7 +85,7 @@ static void dibuja() {
 
     const std::string texto = formatea("%s, S1 = %g, S2 = %g", NOMBRES[estado.elegido], estado.S1, estado.S2);
     rotula(texto, {0.02f, 0.98f}, OSCURO, Lado::DERECHA);
-    rotula("64³ texeles de 1 byte", {0.02f, 0.02f}, OSCURO, Lado::DERECHA);
+    rotula("64³ texeles\nde 1 byte", {0.02f, 0.02f}, OSCURO, Lado::DERECHA);
     ponTitulo("Textura 3D: " + texto);
     glutSwapBuffers();
 }

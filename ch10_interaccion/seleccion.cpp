@@ -94,18 +94,16 @@ static void dibujaObjetos(bool conIdentificadores) {
     }
 }
 
-// Un aro a sus pies y, debajo, su nombre, o su identificador: encima taparía los de detrás.
+// Un aro a sus pies y, abajo, su nombre, o su identificador: a su lado taparía otro objeto.
 static void nombraElegido(const glm::vec3 &color) {
     const auto &s = SOLIDOS[estado.elegido];
     const glm::mat4 transformacion = proyeccion() * camaraOrbita(estado.orbita);
     const glm::mat4 enTablero = traslacion(s.lugar + glm::vec3(0, 0.02f * RADIO_ARO, 0)) * giroX(RECTO);
     trazaPolilinea(circunferencia(RADIO_ARO), transformacion * enTablero, color, GROSOR, true);
-    const float azimut = estado.orbita.azimut;
     // en el framebuffer, su color no es el del nombre
     const std::string nombre =
         estado.conIdentificadores ? "objeto " + std::to_string(estado.elegido) : s.nombre;
-    rotulaPunto(nombre, s.lugar + RADIO_ARO * glm::vec3(std::sin(azimut), 0, std::cos(azimut)),
-                transformacion, color, Lado::DEBAJO);
+    rotula(nombre, {0.5f, 0.06f}, color);
 }
 
 static void dibuja() {

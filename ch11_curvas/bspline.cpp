@@ -14,8 +14,8 @@
 #include "ventana.h"
 
 // Donde no tapa la curva.
-static const Lado LADOS[] = {Lado::IZQUIERDA, Lado::ENCIMA, Lado::DEBAJO, Lado::ENCIMA, Lado::ENCIMA,
-                             Lado::DERECHA,   Lado::DEBAJO, Lado::ENCIMA, Lado::DEBAJO};
+static const Lado LADOS[] = {Lado::IZQUIERDA, Lado::ENCIMA, Lado::DEBAJO,    Lado::ENCIMA, Lado::ENCIMA,
+                             Lado::DERECHA,   Lado::DEBAJO, Lado::IZQUIERDA, Lado::DEBAJO};
 
 static const int PUAS = 20; // en cada tramo
 
@@ -77,9 +77,8 @@ static void dibuja() {
     trazaPuntos(estado.P, vista(), OSCURO, 4 * GROSOR);
     for (std::size_t i = 0; i < estado.P.size(); ++i)
         rotulaPunto("P" + std::to_string(i), estado.P[i], vista(), colorNombre(estado.editor, i), LADOS[i]);
-    rotulaPunto("M_BS = 1/6", {-0.46f, 0.17f, 0}, vista(), OSCURO, Lado::CENTRO, 0.9f * TALLA_MATRIZ);
-    rotulaPunto(filasDe("", 6.0f * M_BS, 3), {-0.46f, -0.06f, 0}, vista(), OSCURO, Lado::CENTRO,
-                0.9f * TALLA_MATRIZ);
+    rotulaPunto("   M_BS = 1/6\n" + filasDe("", 6.0f * M_BS, 3), {0.48f, 0.28f, 0}, vista(), OSCURO,
+                Lado::CENTRO, 0.9f * TALLA_MATRIZ);
     ponTitulo("Curva B-Spline " + std::string(estado.cerrada ? "cerrada" : "abierta") + ": " +
               std::to_string(estado.P.size()) + " puntos, " + std::to_string(tramos) + " tramos");
     glutSwapBuffers();

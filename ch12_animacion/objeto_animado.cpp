@@ -30,17 +30,18 @@ static const glm::vec4 PUNTA(MORRO, 0.11f, 0, 1); // arriba: su camino no se con
 static const struct {
     const char *nombre, *matriz;
     glm::mat4 (*M)(float a); // a: de 0 a 2π en un periodo
+    float angulo;            // el de la vista: el avión que no se va del centro se ve más grande
 } MODOS[] = {
-    {"posición",
-     "T(cos a, 0, −sen a) =", [](float a) { return traslacion(glm::vec3(std::cos(a), 0, -std::sin(a))); }},
-    {"tamaño", "S(1 + 0.5 sen a) =", [](float a) { return escalado(1 + 0.5f * std::sin(a)); }},
-    {"orientación", "Ry(a) =", giroY},
+    {"posición", "T(cos a, 0, −sen a) =",
+     [](float a) { return traslacion(glm::vec3(std::cos(a), 0, -std::sin(a))); }, 0.5f},
+    {"tamaño", "S(1 + 0.5 sen a) =", [](float a) { return escalado(1 + 0.5f * std::sin(a)); }, 0.41f},
+    {"orientación", "Ry(a) =", giroY, 0.41f},
 };
 static struct {
     GLuint programa;
     Buferes cubo;
     int elegido = 0;
-    Orbita orbita = {0.35f, 0.5f, 5.7f, {0, -0.3f, 0}};
+    Orbita orbita = {0.35f, 0.5f, 5.7f, {0, -0.2f, 0}};
     Reloj reloj;
 } estado;
 
@@ -58,7 +59,7 @@ static glm::mat4 matrizEn(double t) {
 static void dibuja() {
     const auto &modo = MODOS[estado.elegido];
     const double t = tiempo(estado.reloj);
-    const glm::mat4 camara = camaraOrbita(estado.orbita), proyeccion = perspectivaVentana(0.5f, 1, 50);
+    const glm::mat4 camara = camaraOrbita(estado.orbita), proyeccion = perspectivaVentana(modo.angulo, 1, 50);
     const glm::mat4 transformacion = proyeccion * camara;
     glClear(GL_COLOR_BUFFER_BIT);
     usaPrograma(estado.programa, camara, proyeccion);

@@ -42,7 +42,7 @@ std::vector<Pieza> piezas(int primitiva, const Hueco &h) {
     } else if (primitiva ==
                PUNTOS) { // OpenGL deja redondear su lado a un entero y su centro a medio píxel: ¼ + ½
         for (const VerticePlano &v : VERTICES)
-            p.push_back({barrido(v.en(h), v.en(h), h.ancho / 28.0), {v.color}, 0.75});
+            p.push_back({barrido(v.en(h), v.en(h), h.ancho / 40.0), {v.color}, 0.75});
     } else { // un segmento de un píxel se aparta medio en cada extremo y medio a lo ancho
         const int n = primitiva == SECUENCIA_CERRADA ? N : N - 1, paso = primitiva == SEGMENTOS ? 2 : 1;
         for (int i = 0; i < n; i += paso) {

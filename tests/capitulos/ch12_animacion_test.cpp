@@ -55,10 +55,11 @@ TEST(ObjetoAnimado, LaMatrizDeCadaInstante) {
                : modo == 1 ? escala((1 + 0.5 * std::sin(a)) * Vec3{1, 1, 1})
                            : gira({0, 1, 0}, a);
     };
-    const Camara camara = perspectiva(orbita(0.35, 0.5, 5.7, {0, -0.3, 0}), 0.5, 1, 1000);
     for (const int modo : {0, 1, 2})
         for (const double t : {0.0, 0.5, 2.0, 3.5, 7.5, HORAS + 8.5}) {
             SCOPED_TRACE(std::to_string(modo) + " en " + conDosCifras(t));
+            const Camara camara =
+                perspectiva(orbita(0.35, 0.5, 5.7, {0, -0.2, 0}), modo ? 0.41 : 0.5, 1, 1000);
             const Vista v =
                 vistaDe("objeto_animado", "tecla " + std::to_string(modo + 1) + "; " + instante(t));
             std::vector<Cuerpo> cuerpos;
