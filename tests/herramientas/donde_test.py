@@ -97,8 +97,8 @@ VUELTAS = (2, "i", 0), (3, "st", 7), (3, "suma", 1), (2, "i", 1), (3, "st", 8), 
 
 
 def test_el_primer_paso_que_se_aparta():
-    """En otro orden, o en dos veces, da lo mismo; si no, la línea que yerra: la última vuelta, la de más o la primera de
-    que sale."""
+    """En otro orden, o en dos veces, da lo mismo; si no, la línea que yerra: la última vuelta, la de más o la primera
+    de que sale."""
     al_reves = (2, "i", -1), (3, "st", 8), (3, "suma", 2), (2, "i", -2), (3, "st", 7), (3, "suma", 3), (4, "c", 3)
     dice = lambda *pasos: donde.primer_paso(traza(*pasos), traza(*VUELTAS), [BUCLE, BUCLE])
     assert dice(*al_reves) is None and dice(*VUELTAS[:5], (3, "suma", 2), (4, "suma", 3), (5, "c", 3)) is None
