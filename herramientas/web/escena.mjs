@@ -42,8 +42,9 @@ export class Escena {
     new ResizeObserver(() => this.#ajusta()).observe(marco);
   }
 
-  /// Empieza un programa y repite un guion. De lo pedido, `textos()` da los shaders que no son los originales;
-  /// `ficheros` son los que se le dan, y `acompana(sesión, opciones)`, si lo hay, devuelve otra sesión que hace más.
+  /// Empieza un programa y repite un guion. De lo pedido, `textos()` da los ficheros que no son los originales;
+  /// `compilado()`, el programa, si no lo es; `ficheros` son los que se le dan, y `acompana(sesión, opciones)`, si lo hay,
+  /// devuelve otra sesión que hace más.
   async empieza(pedido, guion = '') {
     const turno = ++this.#turno, vale = () => turno === this.#turno;
     const teniaFoco = marco.contains(document.activeElement), lienzo = this.#prepara(pedido);
@@ -110,9 +111,10 @@ export class Escena {
   }
 
   async #arranca(lienzo, vale) {
-    const { programa, textos, ficheros, acompana } = this.#pedido;
+    const { programa, textos, ficheros, acompana, compilado } = this.#pedido;
     const sesion = await arranca(programa, {
       lienzo, ...talla(), textos: textos(), ficheros, suavizado: this.suavizado,
+      compilado: compilado?.(),
       di: linea => { if (vale()) this.#di(linea); },
       titulo: texto => { if (vale()) ponTitulo(texto); },
     });

@@ -1,16 +1,26 @@
 // Cargar un programa y hacerlo andar: una instancia de lab.js.
 import { bytes, json, laboratorio } from './datos.mjs';
 
+/// Las de WebGL 2 que nadie ha usado al hacer la página están solo con su otro nombre.
+function ponTodas(funciones) {
+  for (const [nombre, suya] of Object.entries(funciones))
+    if (nombre.startsWith('emscripten_gl')) funciones[nombre.slice(11)] ??= suya;
+}
+
 /// Arranca un programa en un lienzo. `di(línea)` recibe lo que escribe; `titulo(texto)`, el de la ventana; `ficheros`
-/// son los que se le dan además de los del laboratorio; `textos`, los shaders que no son los originales. Devuelve lo
-/// que se puede hacer con él.
+/// son los que se le dan además de los del laboratorio; `textos`, los que no son los originales; `compilado`, el módulo
+/// del que se ha compilado en la página, si no es el original. Devuelve lo que se puede hacer con él.
 export async function arranca(programa,
-  { lienzo, ancho, alto, textos = {}, ficheros = {}, suavizado = true, di = () => {}, titulo = () => {} }) {
+  { lienzo, ancho, alto, textos = {}, ficheros = {}, suavizado = true, compilado, di = () => {}, titulo = () => {} }) {
   const [modulo, shaders, suyos] =
-    await Promise.all([laboratorio(), json('shaders'), textos, ...programa.texturas.map(bytes)]);
-  const lab = await Laboratorio({
+    await Promise.all([compilado ?? laboratorio(), json('shaders'), textos, ...programa.texturas.map(bytes)]);
+  const lab = await (compilado ? LaboratorioDelTaller : Laboratorio)({
     canvas: lienzo, suavizado, thisProgram: programa.nombre, print: di, printErr: di, titulo,
-    instantiateWasm: (lo, recibe) => { WebAssembly.instantiate(modulo, lo).then(recibe); return {}; },
+    instantiateWasm: (lo, recibe) => {
+      if (compilado) ponTodas(lo.env);
+      WebAssembly.instantiate(modulo, lo).then(recibe);
+      return {};
+    },
   });
   const escribe = (ruta, datos) => {
     lab.FS.mkdirTree(ruta.replace(/\/[^/]*$/, ''));
