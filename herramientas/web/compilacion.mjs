@@ -2,6 +2,7 @@
 import { boton, crea, una } from '../base/documento.mjs';
 import { Compilador, cuantoPesa, SE_COMPILA } from './compilador.mjs';
 import { json } from './datos.mjs';
+import { motivoDe } from './programa.mjs';
 
 const esFuente = ruta => /\.(cpp|h)$/.test(ruta);
 const compila = una('.compila'), cancela = una('.cancela'), barra = una('.trae'), estado = una('.compila-estado'),
@@ -25,6 +26,8 @@ export class Compilacion {
 
   #cambios(taller) { return [...taller.cambios].filter(([ruta]) => esFuente(ruta)); }
 
+  async originales() { return { ...await json('codigo'), ...await json('comun') }; }
+
   /// De uno en uno: el que se pide mientras tanto va después, con lo que entonces haya escrito.
   hazlo() {
     const antes = this.#haciendo ?? Promise.resolve();
@@ -39,7 +42,7 @@ export class Compilacion {
     try {
       await this.#trae();
       estado.textContent = 'Compilando…';
-      const fuentes = { ...await json('codigo'), ...await json('comun'), ...Object.fromEntries(cambios) };
+      const fuentes = { ...await this.originales(), ...Object.fromEntries(cambios) };
       const hecho = await this.compilador.compila(programa, fuentes, cambios.map(([ruta]) => ruta));
       if (hecho.modulo) this.#modulos.set(programa.nombre, hecho.modulo);
       if (!sigue()) return;
@@ -72,7 +75,20 @@ export class Compilacion {
     const errores = dichos.filter(d => d.clase === 'error').length, avisos = dichos.length - errores;
     const cuantos = (n, que) => n ? `${n} ${que}${n > 1 ? (que === 'error' ? 'es' : 's') : ''}` : '';
     const todos = [cuantos(errores, 'error'), cuantos(avisos, 'aviso')].filter(Boolean).join(' y ');
-    estado.textContent = sale ? `Compilado${todos && `, con ${todos}`}.` : `${todos}: sigue el de antes.`;
+    this.#ensena(dichos, sale ? `Compilado${todos && `, con ${todos}`}.` : `${todos}: sigue el de antes.`);
+  }
+
+  /// El programa compilado ha fallado con ese error: en qué línea, si se sabe.
+  async falla(error) {
+    const { programa, taller, ejercicio } = this.visto();
+    if (ejercicio || !this.modulo(programa, taller)) return;
+    const sitio = await this.compilador.busca(error);
+    if (sitio.ruta && this.visto().programa === programa)
+      this.#ensena([{ ...sitio, clase: 'error', mensaje: `Aquí ha fallado: ${motivoDe(error)}` }], 'Ha fallado.');
+  }
+
+  #ensena(dichos, texto) {
+    estado.textContent = texto;
     this.dichos = dichos;
     lista.replaceChildren(...dichos.map(d => crea('li', {}, boton(
       `${d.ruta ? `${d.ruta.split('/').pop()}:${d.linea}: ` : ''}${d.mensaje}`, () => d.ruta && this.vaA(d),

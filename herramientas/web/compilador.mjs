@@ -78,15 +78,24 @@ export class Compilador {
     this.#obrero = worker;
   }
 
+  #pide(pedido) {
+    const n = ++this.#pedidos;
+    return new Promise((bien, mal) => {
+      this.#esperan.set(n, hecho => hecho.error ? mal(new Error(hecho.error)) : bien(hecho));
+      this.#obrero.postMessage({ n, ...pedido });
+    });
+  }
+
   /// El programa con esos fuentes { ruta: texto }, de los que algunos han cambiado: { modulo, si sale; dichos }.
   async compila({ nombre, capitulo }, fuentes, cambiados) {
-    const n = ++this.#pedidos, programa = `${capitulo}/${nombre}.cpp`;
-    const hecho = await new Promise(sigue => {
-      this.#esperan.set(n, sigue);
-      this.#obrero.postMessage({ n, programa, fuentes, cambiados });
-    });
-    if (hecho.error) throw new Error(hecho.error);
-    const { dicho, wasm, tarda } = hecho;
-    return { modulo: wasm && await WebAssembly.compile(wasm), dichos: leeDicho(dicho, fuentes), dicho, tarda };
+    const programa = `${capitulo}/${nombre}.cpp`;
+    const { dicho, wasm, tarda } = await this.#pide({ programa, fuentes, cambiados });
+    return { modulo: wasm && await WebAssembly.compile(wasm), dichos: leeDicho(dicho, fuentes), tarda };
+  }
+
+  /// Donde ha fallado el último que se ha compilado: { ruta, linea }, si se sabe.
+  busca(error) {
+    const sitios = [...String(error?.stack).matchAll(/wasm-function\[\d+\]:(0x[\da-f]+)/g)].map(([, s]) => Number(s));
+    return sitios.length ? this.#pide({ sitios: sitios.slice(0, 40) }) : {};
   }
 }

@@ -42,11 +42,14 @@ export class Editor {
     this.cm.focus();
   }
 
-  /// Una pestaña para cada fichero. Si el programa no ha arrancado por un error, se abre por él.
-  async ensena(rutas, errores, vivo) {
+  /// Una pestaña para cada fichero y, si hay `mas()`, otra que trae los que da. Si el programa no ha arrancado por un error, se abre por él.
+  async ensena(rutas, errores, vivo, mas) {
     this.#errores = errores;
-    una('.pestanas').replaceChildren(...rutas.map(ruta =>
-      Object.assign(boton(ruta.split('/').pop(), () => this.abre(ruta), { title: ruta }), { ruta })));
+    const pestana = ruta =>
+      Object.assign(boton(ruta.split('/').pop(), () => this.abre(ruta), { title: ruta }), { ruta });
+    const otras = boton('common/…', async () => otras.replaceWith(...(await mas()).map(pestana)), {
+      title: 'Los de common/ que usa' });
+    una('.pestanas').replaceChildren(...rutas.map(pestana), ...mas ? [otras] : []);
     const [mal] = vivo ? [] : errores;
     await this.abre([mal?.ruta, this.abierto].find(r => rutas.includes(r)) ?? rutas[0]);
     if (mal) this.cm.scrollIntoView({ line: mal.linea, ch: 0 }, 99);

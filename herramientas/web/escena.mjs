@@ -5,7 +5,7 @@ import { leeError } from './fuentes.mjs';
 import { Hecho, leeGuion, Reloj, repite } from './guiones.mjs';
 import { tallaDe } from './imagenes.mjs';
 import { abreMenu } from './menu.mjs';
-import { arranca } from './programa.mjs';
+import { arranca, motivoDe } from './programa.mjs';
 
 const marco = una('.lienzo'), telon = una('.telon'), consola = una('.consola');
 
@@ -37,8 +37,8 @@ export class Escena {
   #reloj;
   #cuadro;
 
-  constructor({ alArrancar, alRecargar }) {
-    Object.assign(this, { alArrancar, alRecargar });
+  constructor({ alArrancar, alRecargar, alFallar }) {
+    Object.assign(this, { alArrancar, alRecargar, alFallar });
     new ResizeObserver(() => this.#ajusta()).observe(marco);
   }
 
@@ -52,8 +52,9 @@ export class Escena {
     try {
       nueva = await this.#arranca(lienzo, vale);
     } catch (error) {
-      if (vale()) cubre(`No se puede arrancar el programa: ${error.message ?? error}`);
-      return;
+      if (!vale()) return;
+      cubre(`No se puede arrancar el programa: ${pedido.compilado?.() ? motivoDe(error) : error.message ?? error}`);
+      return this.alFallar(error);
     }
     // hasta que no acaba de repetirse el guion no hay sesión: lo que se haga en la página no se mezcla con él
     const { ordenes, recortado } = leeGuion(guion);
@@ -173,6 +174,7 @@ export class Escena {
     const { vivo, fallo } = this.sesion;
     if (vivo || this.#pedido.programa.consola) return;
     cubre(fallo ? this.#escrito.slice(-3).join('\n') || 'El programa ha fallado' : 'El programa ha terminado');
+    if (fallo) this.alFallar(this.sesion.error);
   }
 
   /// Una vez por cuadro: el ratón que se ha movido y, si el programa se anima, el tiempo que ha pasado.

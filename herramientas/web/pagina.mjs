@@ -18,7 +18,7 @@ import { atiendeTeclado } from './entrada.mjs';
 import { Escena } from './escena.mjs';
 import { ensenaCaso, ponCasos, ponFicha } from './ficha.mjs';
 import { cierraExplicado, ensena } from './explicado.mjs';
-import { delEjercicio, esShader, ordenaFuentes } from './fuentes.mjs';
+import { delEjercicio, esShader, incluidas, ordenaFuentes } from './fuentes.mjs';
 import { casoInicial } from './guiones.mjs';
 import { copiaLinea, incrusta, lineaDe } from './incrustado.mjs';
 import { ponMandos } from './mandos.mjs';
@@ -37,7 +37,7 @@ let ruta; // a la que se ha ido
 let sitio = 0; // por dónde se dejó el catálogo
 let explicando = Promise.resolve();
 
-export const escena = new Escena({ alArrancar, alRecargar });
+export const escena = new Escena({ alArrancar, alRecargar, alFallar: error => compilacion.falla(error) });
 export const editor = new Editor({
   alEscribir: () => visto.ejercicio?.olvidaRevision(),
   alCambiar: (fichero, texto) => esShader(fichero) ? conCuidado(() => escena.cambia(fichero, texto)) : editor.marca(),
@@ -92,9 +92,16 @@ function alArrancar() {
   const { programa, ejercicio } = visto, { leidos, vivo } = escena.sesion;
   const shaders = [...leidos].map(r => r.replace(/^\/lab\//, '')).filter(r => /^ch/.test(r) && esShader(r));
   const todas = ordenaFuentes([...shaders, ...programa.fuentes], programa.capitulo);
-  editor.ensena(ejercicio ? delEjercicio(Object.keys(ejercicio.pide), todas) : todas, errores(), vivo)
+  editor.ensena(ejercicio ? delEjercicio(Object.keys(ejercicio.pide), todas) : todas, errores(), vivo,
+    SE_COMPILA && !ejercicio && (() => deComun(programa)))
     .catch(error => avisa(`No se pueden ver los ficheros: ${error.message}`));
   ejercicio?.comparaPronto();
+}
+
+/// Los fuentes de common/ que usa un programa.
+async function deComun({ capitulo, nombre }) {
+  const suyos = incluidas(`${capitulo}/${nombre}.cpp`, await compilacion.originales());
+  return ordenaFuentes([...suyos].filter(r => r.startsWith('common/')), capitulo);
 }
 
 function alRecargar() {

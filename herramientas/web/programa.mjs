@@ -7,6 +7,22 @@ function ponTodas(funciones) {
     if (nombre.startsWith('emscripten_gl')) funciones[nombre.slice(11)] ??= suya;
 }
 
+// De lo que puede hacer mal un programa compilado en la página, qué se dice. Los demás motivos son suyos.
+const MOTIVOS = [
+  [/no acaba/, 'no acaba: lleva unos segundos en lo mismo. ¿Un bucle sin fin?'],
+  [/call stack|recursion/, 'una función se llama a sí misma sin parar, y se ha llenado la pila.'],
+  [/divi(de|sion) by zero/, 'divide un entero entre cero.'],
+  [/unreachable/, 'un índice se sale de su array, se divide entre cero o una función que devuelve algo acaba sin return.'],
+  [/out of bounds/, 'se lee o se escribe donde no hay nada: un puntero nulo o un índice que se sale.'],
+  [/Cannot enlarge|OOM|bad_alloc/, 'se ha acabado la memoria.'],
+  [/Aborted/, 'ha terminado con abort: mira lo que ha escrito.'],
+  [/^\d+$/, 'ha lanzado una excepción que nadie recoge: .at() que se sale, std::stoi de lo que no es un número, sin memoria…'],
+];
+const SE_ESPERA = 4000; // ms, a lo que hace con una orden
+
+/// Lo que se dice de un error de los que acaban un programa.
+export const motivoDe = error => MOTIVOS.find(([que]) => que.test(String(error?.message ?? error)))?.[1] ?? String(error);
+
 /// Arranca un programa en un lienzo. `di(línea)` recibe lo que escribe; `titulo(texto)`, el de la ventana; `ficheros`
 /// son los que se le dan además de los del laboratorio; `textos`, los que no son los originales; `compilado`, el módulo
 /// del que se ha compilado en la página, si no es el original. Devuelve lo que se puede hacer con él.
@@ -32,7 +48,11 @@ export async function arranca(programa,
   const leidos = new Set(), abre = lab.FS.open;
   lab.FS.open = (ruta, ...resto) => { leidos.add(String(ruta)); return abre(ruta, ...resto); };
 
-  let estado = lab.callMain(['-geometry', `${ancho}x${alto}`, ...Object.keys(ficheros)]) || 0;
+  const da = hace => {
+    lab.hasta = performance.now() + SE_ESPERA;
+    return hace();
+  };
+  let estado = da(() => lab.callMain(['-geometry', `${ancho}x${alto}`, ...Object.keys(ficheros)])) || 0;
   return {
     lienzo, leidos,
     get vivo() { return !estado; },
@@ -43,9 +63,12 @@ export async function arranca(programa,
     orden(texto) {
       if (estado) return;
       try {
-        if (lab.ccall('glutOrden', 'number', ['string'], [texto])) estado = -1;
+        if (da(() => lab.ccall('glutOrden', 'number', ['string'], [texto]))) estado = -1;
       } catch (error) {
-        if (error.name !== 'ExitStatus') di(String(error));
+        if (error.name !== 'ExitStatus') {
+          di(compilado ? motivoDe(error) : String(error));
+          this.error = error;
+        }
         estado = error.status || 1;
       }
     },
