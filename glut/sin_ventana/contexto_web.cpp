@@ -1,13 +1,13 @@
 // Contexto WebGL 2 en el elemento <canvas> de la página, que es la ventana. `Module` es la instancia del laboratorio
 // que la página ha creado para este programa: en Module.canvas está el elemento y con Module.titulo se le dice el
 // título.
-#include "contexto.h"
 #include "error.h"
+#include "contexto.h"
 #include <emscripten.h>
 #include <emscripten/html5.h>
 
-// Con EM_JS y no con EM_ASM, que se encuentra por su dirección: el JavaScript que se hace al enlazar sirve así también para
-// un programa que se enlace después, en la página.
+// Con EM_JS y no con EM_ASM, que se encuentra por su dirección: el JavaScript que se hace al enlazar sirve así también
+// para un programa que se enlace después, en la página.
 // clang-format off
 EM_JS(void, laboratorioLienzo, (), { specialHTMLTargets["!canvas"] = Module["canvas"]; });
 EM_JS(int, laboratorioSuaviza, (), { return Module["suavizado"] ? 1 : 0; });

@@ -1,6 +1,8 @@
-// El main de un programa que se compila en la página (./lab web): lo que programas_web.cpp es para los demás. Clang llama
-// así al de quien lo escribe, según tenga argumentos o no.
+// El main de un programa que se compila en la página (./lab web): lo que programas_web.cpp es para los demás. Clang
+// llama así al de quien lo escribe, según tenga argumentos o no.
+#undef NDEBUG // el JavaScript que se hace con él tiene que dar también lo que usa assert
 #include "error.h"
+#include <cassert>
 #include <cerrno> // program_invocation_short_name
 #include <emscripten.h>
 
@@ -24,6 +26,7 @@ void __sanitizer_cov_trace_pc(void) {
 }
 
 int main(int argc, char **argv) {
+    assert(argc > 0);
     program_invocation_short_name = argv[0];
     if (__main_argc_argv)
         return __main_argc_argv(argc, argv);

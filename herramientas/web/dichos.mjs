@@ -21,7 +21,8 @@ function deEnlazar(linea, fuentes) {
   const rutas = Object.keys(fuentes), enSuyo = rutas.filter(r => !suyo || r.replaceAll('/', '-') === suyo);
   const ruta = [...enSuyo, ...rutas].find(r => dondeSeUsa(nombre, fuentes[r])) ?? enSuyo[0] ?? '';
   const porque = que === 'duplicate' ? 'está dos veces'
-    : /^gl[A-Z]/.test(nombre) ? 'WebGL 2, que es lo que hay en un navegador, no la tiene' : 'se usa y no está en ningún sitio';
+    : /^gl[A-Z]/.test(nombre) ? 'WebGL 2, que es lo que hay en un navegador, no la tiene'
+    : 'se usa y no está en ningún sitio';
   return { ruta, linea: ruta ? dondeSeUsa(nombre, fuentes[ruta]) : 0, clase: 'error',
     mensaje: `${que} symbol: ${simbolo} (${porque})` };
 }

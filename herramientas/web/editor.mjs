@@ -1,10 +1,12 @@
-// El editor de los shaders y, si se compilan en la página, de los fuentes: las pestañas, lo que se escribe y los errores en su línea.
+// El editor de los shaders y, si se compilan en la página, de los fuentes: las pestañas, lo que se escribe y los
+// errores en su línea.
 import { boton, crea, todos, una } from '../base/documento.mjs';
 import { ejecuta, json } from './datos.mjs';
 import { esShader } from './fuentes.mjs';
 import { solucion } from './almacen.mjs';
 
-const OPCIONES = { theme: 'lab', lineNumbers: true, gutters: ['CodeMirror-linenumbers', 'dichos'], lineWrapping: true, indentUnit: 4, matchBrackets: true,
+const OPCIONES = { theme: 'lab', lineNumbers: true, lineWrapping: true, indentUnit: 4, matchBrackets: true,
+  gutters: ['CodeMirror-linenumbers', 'dichos'],
   extraKeys: { Tab: false, 'Shift-Tab': false }, screenReaderLabel: 'Editor' };
 const estado = una('.fichero-estado');
 
@@ -42,7 +44,8 @@ export class Editor {
     this.cm.focus();
   }
 
-  /// Una pestaña para cada fichero y, si hay `mas()`, otra que trae los que da. Si el programa no ha arrancado por un error, se abre por él.
+  /// Una pestaña para cada fichero y, si hay `mas()`, otra que trae los que da. Si el programa no ha arrancado por un
+  /// error, se abre por él.
   async ensena(rutas, errores, vivo, mas) {
     this.#errores = errores;
     const pestana = ruta =>
@@ -107,7 +110,8 @@ export class Editor {
         if (ruta !== this.abierto || linea > this.cm.lineCount() || !linea) continue;
         const [fondo, dicho] = clase === 'aviso' ? ['linea-avisada', 'mensaje-aviso'] : ['linea-mala', 'mensaje-malo'];
         this.cm.addLineClass(linea - 1, 'background', fondo);
-        this.cm.setGutterMarker(linea - 1, 'dichos', crea('span', { className: dicho, textContent: '●', title: mensaje }));
+        this.cm.setGutterMarker(linea - 1, 'dichos',
+          crea('span', { className: dicho, textContent: '●', title: mensaje }));
         this.cm.addLineWidget(linea - 1, crea('div', { className: dicho, textContent: mensaje }));
       }
     });

@@ -22,7 +22,8 @@ function calla() {
 const ponTitulo = texto => { una('.estado').textContent = texto; };
 const talla = () => tallaDe(marco.getBoundingClientRect(), devicePixelRatio);
 
-/// Cuando un programa ha arrancado llama a `alArrancar`, y cuando ha vuelto a leer sus shaders, a `alRecargar`.
+/// Cuando un programa ha arrancado llama a `alArrancar`; cuando ha vuelto a leer sus shaders, a `alRecargar`, y si ha
+/// fallado, a `alFallar(error)`.
 export class Escena {
   suavizado = true;
   quieta = false; // si el tiempo no pasa
@@ -43,8 +44,8 @@ export class Escena {
   }
 
   /// Empieza un programa y repite un guion. De lo pedido, `textos()` da los ficheros que no son los originales;
-  /// `compilado()`, el programa, si no lo es; `ficheros` son los que se le dan, y `acompana(sesión, opciones)`, si lo hay,
-  /// devuelve otra sesión que hace más.
+  /// `compilado()`, el programa, si no lo es; `ficheros` son los que se le dan, y `acompana(sesión, opciones)`, si lo
+  /// hay, devuelve otra sesión que hace más.
   async empieza(pedido, guion = '') {
     const turno = ++this.#turno, vale = () => turno === this.#turno;
     const teniaFoco = marco.contains(document.activeElement), lienzo = this.#prepara(pedido);

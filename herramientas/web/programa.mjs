@@ -12,16 +12,17 @@ const MOTIVOS = [
   [/no acaba/, 'no acaba: lleva unos segundos en lo mismo. ¿Un bucle sin fin?'],
   [/call stack|recursion/, 'una función se llama a sí misma sin parar, y se ha llenado la pila.'],
   [/divi(de|sion) by zero/, 'divide un entero entre cero.'],
-  [/unreachable/, 'un índice se sale de su array, se divide entre cero o una función que devuelve algo acaba sin return.'],
+  [/unreachable/, 'un índice se sale de su array, se divide entre cero o una función que da algo acaba sin return.'],
   [/out of bounds/, 'se lee o se escribe donde no hay nada: un puntero nulo o un índice que se sale.'],
   [/Cannot enlarge|OOM|bad_alloc/, 'se ha acabado la memoria.'],
   [/Aborted/, 'ha terminado con abort: mira lo que ha escrito.'],
-  [/^\d+$/, 'ha lanzado una excepción que nadie recoge: .at() que se sale, std::stoi de lo que no es un número, sin memoria…'],
+  [/^\d+$/, 'ha lanzado una excepción: .at() que se sale, std::stoi de lo que no es un número, falta memoria…'],
 ];
 const SE_ESPERA = 4000; // ms, a lo que hace con una orden
 
 /// Lo que se dice de un error de los que acaban un programa.
-export const motivoDe = error => MOTIVOS.find(([que]) => que.test(String(error?.message ?? error)))?.[1] ?? String(error);
+export const motivoDe = error =>
+  MOTIVOS.find(([que]) => que.test(String(error?.message ?? error)))?.[1] ?? String(error);
 
 /// Arranca un programa en un lienzo. `di(línea)` recibe lo que escribe; `titulo(texto)`, el de la ventana; `ficheros`
 /// son los que se le dan además de los del laboratorio; `textos`, los que no son los originales; `compilado`, el módulo

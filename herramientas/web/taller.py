@@ -1,7 +1,8 @@
-"""taller.py BUILD: trae el compilador de la página, si no está ya. Lo que hace falta para compilar y enlazar un programa en la página: el compilador, que es un paquete de npm
-(taller/package-lock.json), las cabeceras, los objetos con que se enlaza y el JavaScript de quien hace el trabajo.
+"""taller.py BUILD: trae el compilador de la página, si no está ya.
 
-El compilador y lo suyo están en una misma carpeta, que él ve como /usr: sis/ y gl/, las cabeceras; obj/, los objetos.
+Lo que hace falta para compilar y enlazar un programa en ella: el compilador, que es un paquete de npm
+(taller/package-lock.json), las cabeceras, los objetos con que se enlaza y el JavaScript de quien hace el trabajo. El
+compilador y lo suyo están en una misma carpeta, que él ve como /usr: sis/ y gl/, las cabeceras; obj/, los objetos.
 """
 import hashlib
 import io
@@ -153,7 +154,6 @@ def resumen(ficheros):
 
 
 def main():
-    """taller.py BUILD: deja el compilador en BUILD/taller, si no está ya."""
     carpeta = Path(sys.argv[1]) / "taller"
     puesto = carpeta / "puesto.json"
     fijado = AQUI / "taller/package-lock.json"

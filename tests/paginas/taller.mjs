@@ -1,5 +1,5 @@
-// taller.mjs RAÍZ BUILD PÁGINA: compilar en la página. Cada programa, sin cambiar, da sus golden; y cada error de los que
-// comete quien empieza (errores.tsv) queda en su línea.
+// taller.mjs RAÍZ BUILD PÁGINA: compilar en la página. Cada programa, sin cambiar, da sus golden; y cada error de los
+// que comete quien empieza (errores.tsv) queda en su línea.
 import assert from 'node:assert/strict';
 import { delCapitulo, distintos } from './casos.mjs';
 import { CAPITULOS, enNavegadores, lee } from './navegador.mjs';
@@ -34,7 +34,8 @@ const uso = {
   'cada error queda en su línea': async p => {
     const original = lee(GRUA), mal = [];
     await p.carga();
-    const filas = lee('tests/paginas/errores.tsv').trimEnd().split('\n').map(f => f.replaceAll('\\n', '\n').split('\t'));
+    const filas = lee('tests/paginas/errores.tsv').trimEnd().split('\n')
+      .map(fila => fila.replaceAll('\\n', '\n').split('\t'));
     for (const [que, de, a, dice, salto = '0'] of filas) {
       const donde = original.indexOf(de), debe = linea(original.slice(0, donde)) + Number(salto);
       const [sale, dichos] = await p.da(compila, 'grua', { [GRUA]: original.replace(de, () => a) });

@@ -4,17 +4,17 @@ import { incluidas } from '../fuentes.mjs';
 import { Exit, runLLVM } from '@yowasp/clang';
 
 const COMO = `--target=wasm32-unknown-emscripten -DEMSCRIPTEN -D__EMSCRIPTEN_major__=3 -D__EMSCRIPTEN_minor__=1
-  -D__EMSCRIPTEN_tiny__=6 -D_LIBCPP_ABI_VERSION=2 -D_LIBCPP_DEBUG=0 -fno-threadsafe-statics -Dunix -D__unix -D__unix__ -nostdinc -nostdinc++
-  -fignore-exceptions -O1 -std=c++17 -Wall -Wextra -Wno-pointer-bool-conversion -fno-caret-diagnostics
-  -isystem /usr/sis/compat -isystem /usr/sis/c++/v1 -isystem /usr/include -isystem /usr/sis -isystem /usr/gl -I/lab -I/lab/common
-  -I/lab/common/encima -DLAB_FUENTES="/lab" -DLAB_GENERADO="/lab"`.split(/\s+/);
-// Para que un error no pare la página: se mira si un bucle no acaba (glut/sin_ventana/taller_web.cpp), y lo que en C++ no
-// está definido acaba el programa.
-const VIGILADO = `-fno-finite-loops -fsanitize-coverage=trace-pc -fsanitize=bounds,return,unreachable,integer-divide-by-zero
-  -fsanitize-trap=all`.split(/\s+/);
+  -D__EMSCRIPTEN_tiny__=6 -D_LIBCPP_ABI_VERSION=2 -D_LIBCPP_DEBUG=0 -fno-threadsafe-statics -Dunix -D__unix -D__unix__
+  -nostdinc -nostdinc++ -fignore-exceptions -O1 -std=c++17 -Wall -Wextra -Wno-pointer-bool-conversion
+  -fno-caret-diagnostics -isystem /usr/sis/compat -isystem /usr/sis/c++/v1 -isystem /usr/include -isystem /usr/sis -isystem /usr/gl
+  -I/lab -I/lab/common -I/lab/common/encima -DLAB_FUENTES="/lab" -DLAB_GENERADO="/lab"`.split(/\s+/);
+// Para que un error no pare la página: se mira si un bucle no acaba (glut/sin_ventana/taller_web.cpp), y lo que en C++
+// no está definido acaba el programa.
+const VIGILADO = `-fno-finite-loops -fsanitize-coverage=trace-pc -mllvm -sanitizer-coverage-prune-blocks=0
+  -fsanitize=bounds,return,unreachable,integer-divide-by-zero -fsanitize-trap=all`.split(/\s+/);
 // Las que incluyen todos, como en herramientas/cmake/programa.cmake: analizadas una vez.
-const PRECOMPILADAS = `GL/glew.h GL/freeglut.h glm/glm.hpp glm/gtc/matrix_transform.hpp glm/gtc/type_ptr.hpp algorithm array
-  cmath cstdio cstdlib functional string vector`.split(/\s+/);
+const PRECOMPILADAS = `GL/glew.h GL/freeglut.h glm/glm.hpp glm/gtc/matrix_transform.hpp glm/gtc/type_ptr.hpp algorithm
+  array cmath cstdio cstdlib functional string vector`.split(/\s+/);
 const PRE_H = { '/pre.h': PRECOMPILADAS.map(h => `#include <${h}>\n`).join('') };
 const EXPORTA = ['main', 'glutOrden', 'glutOpciones', 'glutRedibuja', 'explicaPregunta', 'explicaResponde',
   'explicaCuadroVivo'];
@@ -73,8 +73,8 @@ async function compila(ruta, fuentes, ...mas) {
   const capitulo = ruta.split('/')[0];
   const pre = ['-include-pch', '/obra/pre.pch', '-Xclang', '-fno-pch-timestamp', '-Xclang',
     '-fno-validate-pch'];
-  const { bien, obra, dicho } = await clang([...COMO, ...VIGILADO, ...mas, `-I/lab/${capitulo}`, ...pre, '-c', `/lab/${ruta}`, '-o',
-    '/obra/salida.o'], { ...fuentes, ...PRE_H, '/obra/pre.pch': precompilada });
+  const { bien, obra, dicho } = await clang([...COMO, ...VIGILADO, ...mas, `-I/lab/${capitulo}`, ...pre, '-c',
+    `/lab/${ruta}`, '-o', '/obra/salida.o'], { ...fuentes, ...PRE_H, '/obra/pre.pch': precompilada });
   return { objeto: bien && obra['salida.o'], dicho };
 }
 
@@ -121,10 +121,11 @@ async function haz(rutas, fuentes, alCompilar = [], alEnlazar = []) {
 
 let ultimo; // las rutas y los fuentes del último
 
-/// El programa de esa ruta, con esos fuentes { ruta: texto }, de los que han cambiado algunos: { wasm, si sale; dicho, lo que
-/// dicen clang y quien enlaza; tarda, en ms, cada cosa }.
+/// El programa de esa ruta, con esos fuentes { ruta: texto }, de los que han cambiado algunos: { wasm, si sale; dicho,
+/// lo que dicen clang y quien enlaza; tarda, en ms, cada cosa }.
 export async function hazlo({ programa, fuentes, cambiados }) {
-  const desde = performance.now(), enLab = Object.fromEntries(Object.entries(fuentes).map(([r, t]) => ['/lab/' + r, t]));
+  const enLab = Object.fromEntries(Object.entries(fuentes).map(([ruta, texto]) => ['/lab/' + ruta, texto]));
+  const desde = performance.now();
   precompilada ??= await precompila();
   const precompilado = performance.now() - desde;
   ultimo = [porCompilar(programa, fuentes, cambiados), enLab];
@@ -132,8 +133,8 @@ export async function hazlo({ programa, fuentes, cambiados }) {
   return { ...hecho, tarda: { precompila: precompilado, ...hecho.tarda } };
 }
 
-/// De los sitios del último wasm, desde dentro hacia fuera, el primero que es de un fuente: { ruta, linea }. Se vuelve a
-/// hacer, igual y con sus líneas.
+/// De los sitios del último wasm, desde dentro hacia fuera, el primero que es de un fuente: { ruta, linea }. Se vuelve
+/// a hacer, igual y con sus líneas.
 export async function busca({ sitios }) {
   const { wasm } = await haz(...ultimo, ['-gline-tables-only']);
   let codigo = 8; // donde empieza, que es desde donde cuentan las líneas
@@ -145,7 +146,8 @@ export async function busca({ sitios }) {
       largo |= (b & 127) << i;
     }
   }
-  const { escrito } = await ejecuta(['addr2line', '-e', '/obra/salida.wasm', ...sitios.map(s => `0x${(s - codigo).toString(16)}`)],
+  const desdeCodigo = sitios.map(s => `0x${(s - codigo).toString(16)}`);
+  const { escrito } = await ejecuta(['addr2line', '-e', '/obra/salida.wasm', ...desdeCodigo],
     { '/obra/salida.wasm': wasm });
   const [, ruta, linea] = (await new Blob(escrito).text()).match(/^\/lab\/(\S+?):(\d+)/m) ?? [];
   return { ruta, linea: Number(linea) };

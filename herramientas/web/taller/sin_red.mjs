@@ -6,7 +6,8 @@ const traidos = {};
 export function pon(blobs) { Object.assign(traidos, blobs); }
 
 self.fetch = async direccion => {
-  const nombre = String(direccion).split('/').pop(), type = nombre.endsWith('.wasm') ? 'application/wasm' : 'text/plain';
+  const nombre = String(direccion).split('/').pop();
+  const type = nombre.endsWith('.wasm') ? 'application/wasm' : 'text/plain';
   const flujo = traidos[nombre].stream().pipeThrough(new DecompressionStream('deflate'));
   delete traidos[nombre]; // se pide una vez
   return new Response(flujo, { headers: { 'content-type': type } });
