@@ -49,6 +49,7 @@ export async function arranca(programa,
   const leidos = new Set(), abre = lab.FS.open;
   lab.FS.open = (ruta, ...resto) => { leidos.add(String(ruta)); return abre(ruta, ...resto); };
 
+  if (compilado) Error.stackTraceLimit = 50; // para saber desde qué línea suya se ha llegado a lo que falla
   const da = hace => {
     lab.hasta = performance.now() + SE_ESPERA;
     return hace();
