@@ -1,8 +1,14 @@
 // Cargar un programa y hacerlo andar: una instancia de lab.js.
 import { bytes, json, laboratorio } from './datos.mjs';
 
-/// Las de WebGL 2 que nadie ha usado al hacer la página están solo con su otro nombre.
-function ponTodas(funciones) {
+/// Las de WebGL 2 que nadie ha usado al hacer la página están solo con su otro nombre. Una excepción, que en JavaScript
+/// es un número, dice por dónde se ha llegado a ella.
+function ponTodas(funciones, alLanzar) {
+  const lanza = funciones.__cxa_throw;
+  funciones.__cxa_throw = (...que) => {
+    alLanzar(new Error('excepción'));
+    lanza(...que);
+  };
   for (const [nombre, suya] of Object.entries(funciones))
     if (nombre.startsWith('emscripten_gl')) funciones[nombre.slice(11)] ??= suya;
 }
@@ -16,7 +22,7 @@ const MOTIVOS = [
   [/out of bounds/, 'se lee o se escribe donde no hay nada: un puntero nulo o un índice que se sale.'],
   [/Cannot enlarge|OOM|bad_alloc/, 'se ha acabado la memoria.'],
   [/Aborted/, 'ha terminado con abort: mira lo que ha escrito.'],
-  [/^\d+$/, 'ha lanzado una excepción: .at() que se sale, std::stoi de lo que no es un número, falta memoria…'],
+  [/excepción/, 'ha lanzado una excepción: .at() que se sale, std::stoi de lo que no es un número, falta memoria…'],
 ];
 const SE_ESPERA = 4000; // ms, a lo que hace con una orden
 
@@ -31,10 +37,11 @@ export async function arranca(programa,
   { lienzo, ancho, alto, textos = {}, ficheros = {}, suavizado = true, compilado, di = () => {}, titulo = () => {} }) {
   const [modulo, shaders, suyos] =
     await Promise.all([compilado ?? laboratorio(), json('shaders'), textos, ...programa.texturas.map(bytes)]);
+  let lanzada;
   const lab = await (compilado ? LaboratorioDelTaller : Laboratorio)({
     canvas: lienzo, suavizado, thisProgram: programa.nombre, print: di, printErr: di, titulo,
     instantiateWasm: (lo, recibe) => {
-      if (compilado) ponTodas(lo.env);
+      if (compilado) ponTodas(lo.env, error => { lanzada = error; });
       WebAssembly.instantiate(modulo, lo).then(recibe);
       return {};
     },
@@ -52,7 +59,11 @@ export async function arranca(programa,
   if (compilado) Error.stackTraceLimit = 50; // para saber desde qué línea suya se ha llegado a lo que falla
   const da = hace => {
     lab.hasta = performance.now() + SE_ESPERA;
-    return hace();
+    try {
+      return hace();
+    } catch (error) {
+      throw typeof error === 'number' ? lanzada ?? error : error;
+    }
   };
   let estado = da(() => lab.callMain(['-geometry', `${ancho}x${alto}`, ...Object.keys(ficheros)])) || 0;
   return {

@@ -6,8 +6,9 @@ import { Exit, runLLVM } from '@yowasp/clang';
 const COMO = `--target=wasm32-unknown-emscripten -DEMSCRIPTEN -D__EMSCRIPTEN_major__=3 -D__EMSCRIPTEN_minor__=1
   -D__EMSCRIPTEN_tiny__=6 -D_LIBCPP_ABI_VERSION=2 -D_LIBCPP_DEBUG=0 -fno-threadsafe-statics -Dunix -D__unix -D__unix__
   -nostdinc -nostdinc++ -fignore-exceptions -O1 -std=c++17 -Wall -Wextra -Wno-pointer-bool-conversion
-  -fno-caret-diagnostics -isystem /usr/sis/compat -isystem /usr/sis/c++/v1 -isystem /usr/include -isystem /usr/sis -isystem /usr/gl
-  -I/lab -I/lab/common -I/lab/common/encima -DLAB_FUENTES="/lab" -DLAB_GENERADO="/lab"`.split(/\s+/);
+  -fno-caret-diagnostics -isystem /usr/sis/compat -isystem /usr/sis/c++/v1 -isystem /usr/include -isystem /usr/sis
+  -isystem /usr/gl -I/lab -I/lab/common -I/lab/common/encima -DLAB_FUENTES="/lab"
+  -DLAB_GENERADO="/lab"`.split(/\s+/);
 // Para que un error no pare la página: se mira si un bucle no acaba (glut/sin_ventana/taller_web.cpp), y lo que en C++
 // no está definido acaba el programa.
 const VIGILADO = `-fno-finite-loops -fsanitize-coverage=trace-pc -mllvm -sanitizer-coverage-prune-blocks=0
