@@ -26,6 +26,12 @@ const MOTIVOS = [
 ];
 const SE_ESPERA = 4000; // ms, a lo que hace con una orden
 
+/// Los ms que se espera a un guion: lo de cada orden y cuatro veces el tiempo que pasa en él.
+const espera = guion => guion.split(';').reduce((ms, orden) => {
+  const [, pasan = 0] = orden.match(/espera (\d+)/) ?? [], [, veces = 1] = orden.match(/×(\d+)/) ?? [];
+  return ms + veces * (SE_ESPERA + 4 * pasan);
+}, 0);
+
 /// Lo que se dice de un error de los que acaban un programa.
 export const motivoDe = error =>
   MOTIVOS.find(([que]) => que.test(String(error?.message ?? error)))?.[1] ?? String(error);
@@ -57,8 +63,8 @@ export async function arranca(programa,
   lab.FS.open = (ruta, ...resto) => { leidos.add(String(ruta)); return abre(ruta, ...resto); };
 
   if (compilado) Error.stackTraceLimit = 50; // para saber desde qué línea suya se ha llegado a lo que falla
-  const da = hace => {
-    lab.hasta = performance.now() + SE_ESPERA;
+  const da = (hace, guion = '') => {
+    lab.hasta = performance.now() + espera(guion);
     try {
       return hace();
     } catch (error) {
@@ -76,7 +82,7 @@ export async function arranca(programa,
     orden(texto) {
       if (estado) return;
       try {
-        if (da(() => lab.ccall('glutOrden', 'number', ['string'], [texto]))) estado = -1;
+        if (da(() => lab.ccall('glutOrden', 'number', ['string'], [texto]), texto)) estado = -1;
       } catch (error) {
         if (error.name !== 'ExitStatus') {
           di(compilado ? motivoDe(error) : String(error));
