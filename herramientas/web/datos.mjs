@@ -20,7 +20,7 @@ export async function infla(blob) {
   return new Uint8Array(await new Response(flujo).arrayBuffer());
 }
 
-export const descomprime = base64 => infla(new Blob([deBase64(base64)]));
+export const descomprime = async base64 => infla(new Blob([deBase64(base64)]));
 
 const pide = nombre => new Promise((bien, mal) => {
   const falta = () => mal(new Error(`no se puede leer datos/${nombre}.js`));
@@ -28,17 +28,19 @@ const pide = nombre => new Promise((bien, mal) => {
   document.head.append(crea('script', { src: `datos/${nombre}.js`, onload: alCargar, onerror: falta }));
 });
 
-/// Tal como llegan.
-export async function comprimidos(nombre) {
+async function toma(nombre) {
   await pide(nombre);
   const base64 = llegados[nombre];
   delete llegados[nombre];
-  return deBase64(base64);
+  return base64;
 }
 
+/// Tal como llegan.
+export const comprimidos = async nombre => deBase64(await toma(nombre));
+
 export const bytes = recuerda(async nombre => {
-  const suyos = await comprimidos(nombre);
-  return infla(new Blob([suyos])).catch(() => { throw new Error(`datos/${nombre}.js está estropeado`); });
+  const base64 = await toma(nombre);
+  return descomprime(base64).catch(() => { throw new Error(`datos/${nombre}.js está estropeado`); });
 });
 
 const enTexto = async nombre => new TextDecoder().decode(await bytes(nombre));
