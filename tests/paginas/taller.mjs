@@ -56,7 +56,7 @@ const uso = {
     await p.da(() => { for (const tecla of 'ddw') escena.manda('tecla ' + tecla); });
     const antes = await p.imagen();
     await p.reescribe(GRUA, texto => texto.replace('ponFondo(CIELO)', 'ponFondo(glm::vec3(1, 0, 0))'));
-    assert.deepEqual(pedidos.filter(url => /taller|comun/.test(url)), [], 'antes de compilar no se trae nada');
+    assert.deepEqual(pedidos.filter(url => /datos.(taller|comun|llvm)/.test(url)), [], 'antes no se trae nada');
     await p.da(() => cm.focus());
     await p.pagina.keyboard.down('Control');
     await p.teclas('Enter');

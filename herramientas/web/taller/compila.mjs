@@ -148,7 +148,7 @@ export async function busca({ sitios }) {
     }
   }
   const desdeCodigo = sitios.map(s => `0x${(s - codigo).toString(16)}`);
-  const { escrito } = await ejecuta(['addr2line', '-e', '/obra/salida.wasm', ...desdeCodigo],
+  const { escrito } = await ejecuta(['addr2line', '-i', '-e', '/obra/salida.wasm', ...desdeCodigo],
     { '/obra/salida.wasm': wasm });
   const [, ruta, linea] = (await new Blob(escrito).text()).match(/^\/lab\/(\S+?):(\d+)/m) ?? [];
   return { ruta, linea: Number(linea) };
