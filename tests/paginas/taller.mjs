@@ -65,8 +65,10 @@ const uso = {
     assert.notDeepEqual(await p.imagen(), antes);
     await p.exige('lo hecho se ha repetido', () => hecho.ordenes.join() === 'tecla d,tecla d,tecla w' && sesion.vivo);
     await cambia(p, 'ponFondo(glm::vec3(1, 0, 0));', 'ponFondo(rojo);');
-    await p.exige('un error queda en su línea, en el margen y en la lista, y sigue el de antes', () => sesion.vivo &&
-      una('.linea-mala') && una('.CodeMirror-gutter-elt .mensaje-malo') && una('ul.dichos button.mensaje-malo'));
+    await p.exige('un error queda en su línea, en el margen y en la lista, y sigue el de antes', donde => {
+      const { bgClass, gutterMarkers } = cm.lineInfo(donde);
+      return sesion.vivo && bgClass === 'linea-mala' && gutterMarkers.dichos && una('ul.dichos button.mensaje-malo');
+    }, linea(lee(GRUA).split('ponFondo')[0]) - 1);
     await cambia(p, 'ponFondo(rojo)', 'ponFondo(CIELO)');
     assert.deepEqual(await p.imagen(), antes, 'y como estaba');
   },
