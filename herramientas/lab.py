@@ -263,7 +263,10 @@ class Laboratorio:
         os.environ["NODE_PATH"] = "/usr/share/nodejs"  # em++ busca ahí acorn
         en = self.build / "web"
         self.t.configura("web", en)
-        self.t.compila(en, "laboratorio")
+        taller = [] if self.hace("web.taller", self.build) else ["taller"]
+        if not taller:
+            aviso("lab: en la página no se podrán compilar programas")
+        self.t.compila(en, "laboratorio", *taller)
         es_nueva = not (self.t.web / "index.html").exists()
         if estado := self.hace("web.pagina", self.raiz, en, self.t.galeria, self.t.web):
             return estado

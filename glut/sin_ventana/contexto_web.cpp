@@ -6,6 +6,16 @@
 #include <emscripten.h>
 #include <emscripten/html5.h>
 
+// Con EM_JS y no con EM_ASM, que se encuentra por su dirección: el JavaScript que se hace al enlazar sirve así también
+// para un programa que se enlace después, en la página.
+// clang-format off
+EM_JS(void, laboratorioLienzo, (), { specialHTMLTargets["!canvas"] = Module["canvas"]; });
+EM_JS(int, laboratorioSuaviza, (), { return Module["suavizado"] ? 1 : 0; });
+EM_JS(void, laboratorioTitulo, (const char *titulo), {
+    if (Module["titulo"]) Module["titulo"](UTF8ToString(titulo));
+});
+// clang-format on
+
 namespace sin_ventana {
 
 bool plantillaPedida = false; // la mira quien explica (herramientas/explica/lee_web.cpp)
@@ -18,10 +28,7 @@ EMSCRIPTEN_WEBGL_CONTEXT_HANDLE contexto = 0;
 } // namespace
 
 int creaContexto(int ancho, int alto, bool profundidad, bool plantilla, bool muestras) {
-    // clang-format off
-    EM_ASM({ specialHTMLTargets["!canvas"] = Module["canvas"]; });
-    const bool suaviza = EM_ASM_INT({ return Module["suavizado"] ? 1 : 0; });
-    // clang-format on
+    laboratorioLienzo();
     emscripten_set_canvas_element_size(LIENZO, ancho, alto);
     EmscriptenWebGLContextAttributes atributos;
     // trae puestas todas las extensiones, que los framebuffers de float necesitan
@@ -31,7 +38,7 @@ int creaContexto(int ancho, int alto, bool profundidad, bool plantilla, bool mue
     atributos.depth = profundidad;
     atributos.stencil = profundidad || plantilla; // sin ella, Firefox no deja copiar la profundidad
     plantillaPedida = plantilla;
-    atributos.antialias = muestras && suaviza;
+    atributos.antialias = muestras && laboratorioSuaviza();
     atributos.preserveDrawingBuffer = true; // como en una ventana, lo que no se vuelve a dibujar sigue ahí
     contexto = emscripten_webgl_create_context(LIENZO, &atributos);
     if (contexto <= 0 || emscripten_webgl_make_context_current(contexto) != EMSCRIPTEN_RESULT_SUCCESS)
@@ -52,9 +59,7 @@ void (*direccionGL(const char *))() {
 }
 
 void diTitulo(const char *titulo) {
-    // clang-format off
-    EM_ASM({ if (Module["titulo"]) Module["titulo"](UTF8ToString($0)); }, titulo);
-    // clang-format on
+    laboratorioTitulo(titulo);
 }
 
 void cedeAlNavegador() {

@@ -1,5 +1,5 @@
-// Lo que OpenGL 3.1 tiene y WebGL 2 no, o hace de otra manera. Aquí está solo lo que usan los programas: lo demás que
-// falte lo dice el enlazador. Cada función sustituye a la de Emscripten, que sigue llamándose emscripten_gl…
+// Lo que OpenGL 3.1 tiene y WebGL 2 no, o hace de otra manera. Lo demás que falte, que WebGL 2 no puede dar, lo dice el
+// enlazador. Cada función sustituye a la de Emscripten, que sigue llamándose emscripten_gl…
 #include "essl.h"
 #include <GL/glew.h>
 #include <algorithm>
@@ -14,6 +14,7 @@ extern "C" {
 
 void emscripten_glEnable(GLenum);
 void emscripten_glDepthRangef(GLfloat, GLfloat);
+void emscripten_glClearDepthf(GLfloat);
 const GLubyte *emscripten_glGetString(GLenum);
 void emscripten_glShaderSource(GLuint, GLsizei, const GLchar *const *, const GLint *);
 void emscripten_glReadPixels(GLint, GLint, GLsizei, GLsizei, GLenum, GLenum, void *);
@@ -29,6 +30,48 @@ void glEnable(GLenum que) {
 
 void glDepthRange(GLdouble cerca, GLdouble lejos) {
     emscripten_glDepthRangef(GLfloat(cerca), GLfloat(lejos));
+}
+
+void glClearDepth(GLdouble z) {
+    emscripten_glClearDepthf(GLfloat(z));
+}
+
+void glPixelStoref(GLenum que, GLfloat valor) {
+    glPixelStorei(que, GLint(valor));
+}
+
+void glGetDoublev(GLenum que, GLdouble *valores) {
+    GLfloat reales[16] = {};
+    glGetFloatv(que, reales);
+    const int cuantos = que == GL_VIEWPORT || que == GL_SCISSOR_BOX || que == GL_COLOR_CLEAR_VALUE ? 4
+                        : que == GL_DEPTH_RANGE                                                    ? 2
+                                                                                                   : 1;
+    std::copy_n(reales, cuantos, valores);
+}
+
+void glGetQueryObjectiv(GLuint consulta, GLenum que, GLint *valor) {
+    GLuint natural = 0;
+    glGetQueryObjectuiv(consulta, que, &natural);
+    *valor = GLint(natural);
+}
+
+// De la ventana, solo hay la parte de atrás; de un framebuffer, la suya en su sitio.
+void glDrawBuffer(GLenum cual) {
+    const int n = int(cual) - GL_COLOR_ATTACHMENT0;
+    std::vector<GLenum> todos(n > 0 && n < 16 ? n : 0, GL_NONE);
+    todos.push_back(cual == GL_FRONT ? GLenum(GL_BACK) : cual);
+    glDrawBuffers(GLsizei(todos.size()), todos.data());
+}
+
+void glMultiDrawArrays(GLenum modo, const GLint *primeros, const GLsizei *cuantos, GLsizei veces) {
+    for (GLsizei i = 0; i < veces; ++i)
+        glDrawArrays(modo, primeros[i], cuantos[i]);
+}
+
+void glMultiDrawElements(GLenum modo, const GLsizei *cuantos, GLenum tipo, const void *const *indices,
+                         GLsizei veces) {
+    for (GLsizei i = 0; i < veces; ++i)
+        glDrawElements(modo, cuantos[i], tipo, indices[i]);
 }
 
 const GLubyte *glGetString(GLenum nombre) {

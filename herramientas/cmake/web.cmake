@@ -64,8 +64,35 @@ target_link_libraries(explica PUBLIC reescritor comun)
 add_executable(laboratorio ${sin_ventana}/programas_web.cpp ${objetos})
 target_link_libraries(laboratorio PRIVATE explica glut_web)
 set_target_properties(laboratorio PROPERTIES OUTPUT_NAME lab)
-target_link_options(laboratorio PRIVATE -Oz -fexceptions -sMIN_WEBGL_VERSION=2 -sMAX_WEBGL_VERSION=2 -sALLOW_MEMORY_GROWTH=1
-  -sMODULARIZE=1 -sEXPORT_NAME=Laboratorio -sINVOKE_RUN=0 -sEXIT_RUNTIME=0 -sFORCE_FILESYSTEM=1
-  -sENVIRONMENT=web -sEXPORTED_RUNTIME_METHODS=FS,callMain,ccall
+set(en_la_pagina -fexceptions -sMIN_WEBGL_VERSION=2 -sMAX_WEBGL_VERSION=2 -sALLOW_MEMORY_GROWTH=1
+  -sMODULARIZE=1 -sINVOKE_RUN=0 -sEXIT_RUNTIME=0 -sFORCE_FILESYSTEM=1 -sENVIRONMENT=web
+  -sEXPORTED_RUNTIME_METHODS=FS,callMain,ccall
   -sEXPORTED_FUNCTIONS=_main,_glutOrden,_glutOpciones,_glutRedibuja,_explicaPregunta,_explicaResponde,_explicaCuadroVivo)
+target_link_options(laboratorio PRIVATE -Oz -sEXPORT_NAME=Laboratorio ${en_la_pagina})
 
+
+# El taller: lo que hace falta para enlazar en la página un programa que se acaba de escribir. Un objeto con todo lo que no se toca (GLUT,
+# quien explica, la biblioteca de C++), y el JavaScript de cualquiera que se enlace con él: se hace con -O1 y -sWASM_BIGINT, que dejan a
+# cada función su nombre y el binario como sale, y sin quitar lo que nadie llama, que alguno lo llamará.
+find_program(WASM_LD NAMES wasm-ld-${llvm} wasm-ld REQUIRED)
+find_program(OBJCOPY NAMES llvm-objcopy-${llvm} llvm-objcopy REQUIRED)
+set(partes ${CMAKE_BINARY_DIR}/taller)
+file(MAKE_DIRECTORY ${partes})
+foreach(cual GL-webgl2 html5 stubs noexit c dlmalloc compiler_rt c++ c++abi)
+  list(APPEND del_sistema ${EMSCRIPTEN_SYSROOT}/lib/wasm32-emscripten/lib${cual}.a)
+endforeach()
+function(junta_en objeto) # BIBLIOTECA…: entera, sin lo que solo sirve para depurar
+  add_custom_command(OUTPUT ${partes}/${objeto} DEPENDS ${ARGN} VERBATIM COMMENT "Juntando ${objeto}"
+    COMMAND ${WASM_LD} -r --strip-debug --whole-archive ${ARGN} -o ${partes}/${objeto}
+    COMMAND ${OBJCOPY} --remove-section=name --remove-section=producers ${partes}/${objeto})
+endfunction()
+junta_en(fijo.o $<TARGET_FILE:explica> $<TARGET_FILE:reescritor> $<TARGET_FILE:glut_web> ${del_sistema})
+add_library(main_taller OBJECT ${sin_ventana}/taller_web.cpp)
+target_link_libraries(main_taller PRIVATE comun)
+add_executable(taller EXCLUDE_FROM_ALL $<TARGET_OBJECTS:main_taller> ${partes}/fijo.o)
+target_link_libraries(taller PRIVATE comun)
+set_target_properties(taller PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${partes})
+target_link_options(taller PRIVATE -O1 -sWASM_BIGINT -sEXPORT_NAME=LaboratorioDelTaller -sERROR_ON_UNDEFINED_SYMBOLS=0
+  -Wl,--no-gc-sections ${en_la_pagina})
+add_custom_command(TARGET taller POST_BUILD VERBATIM
+  COMMAND ${CMAKE_COMMAND} -E copy $<TARGET_OBJECTS:main_taller> ${partes}/main.o)

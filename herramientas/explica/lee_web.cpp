@@ -5,12 +5,18 @@
 #include "programas.h"
 #include "sueltas.h"
 #include <algorithm>
+#include <emscripten.h>
 #include <emscripten/html5.h>
 #include <map>
 
 DECLARA(glBlitFramebuffer)
 DECLARA(glReadPixels)
 DECLARA(glStencilFunc)
+
+// Si hay una consulta en curso. Con EM_JS, por lo que dice contexto_web.cpp.
+// clang-format off
+EM_JS(int, laboratorioConsulta, (), { return GLctx.getQuery(0x8C2F, 0x8865) ? 1 : 0; });
+// clang-format on
 
 namespace sin_ventana {
 extern bool plantillaPedida; // contexto_web.cpp
@@ -277,8 +283,7 @@ long muestrasDe(const std::function<void()> &dibuja) {
 
 void preguntaSiDibuja(const std::function<void()> &dibuja, int numero) {
     hay.resize(std::size_t(numero - 1));
-    GLint otra =
-        EM_ASM_INT({ return GLctx.getQuery(0x8C2F, 0x8865) ? 1 : 0; }); // la que hay en curso, si la hay
+    const bool otra = laboratorioConsulta();
     hay.push_back(!otra);
     if (!otra)
         glBeginQuery(GL_ANY_SAMPLES_PASSED, consultaDe(numero));

@@ -54,15 +54,33 @@ TAPA(void, glBindAttribLocation, (GLuint programa, GLuint donde, const GLchar *n
 TAPA(void, glLinkProgram, (GLuint programa), programa)
 TAPA(GLuint, glCreateProgram, (void), )
 TAPA(void, glUseProgram, (GLuint programa), programa)
-// De las que dan valor a un uniform, las que llama algún programa.
-TAPA(void, glUniform1f, (GLint donde, GLfloat v), donde, v)
-TAPA(void, glUniform1i, (GLint donde, GLint v), donde, v)
-TAPA(void, glUniform1fv, (GLint donde, GLsizei n, const GLfloat *v), donde, n, v)
-TAPA(void, glUniform2fv, (GLint donde, GLsizei n, const GLfloat *v), donde, n, v)
-TAPA(void, glUniform3fv, (GLint donde, GLsizei n, const GLfloat *v), donde, n, v)
-TAPA(void, glUniform4fv, (GLint donde, GLsizei n, const GLfloat *v), donde, n, v)
-TAPA(void, glUniformMatrix3fv, (GLint donde, GLsizei n, GLboolean t, const GLfloat *v), donde, n, t, v)
-TAPA(void, glUniformMatrix4fv, (GLint donde, GLsizei n, GLboolean t, const GLfloat *v), donde, n, t, v)
+// Las que dan valor a un uniform: de un número, de varios y de una matriz.
+#define VECTOR(forma, Numero)                                                                                \
+    TAPA(void, glUniform##forma, (GLint donde, GLsizei n, const Numero *v), donde, n, v)
+#define NUMEROS(letra, Numero)                                                                               \
+    TAPA(void, glUniform1##letra, (GLint donde, Numero x), donde, x)                                         \
+    TAPA(void, glUniform2##letra, (GLint donde, Numero x, Numero y), donde, x, y)                            \
+    TAPA(void, glUniform3##letra, (GLint donde, Numero x, Numero y, Numero z), donde, x, y, z)               \
+    TAPA(void, glUniform4##letra, (GLint donde, Numero x, Numero y, Numero z, Numero w), donde, x, y, z, w)  \
+    VECTOR(1##letra##v, Numero)                                                                              \
+    VECTOR(2##letra##v, Numero)                                                                              \
+    VECTOR(3##letra##v, Numero)                                                                              \
+    VECTOR(4##letra##v, Numero)
+#define MATRIZ(forma)                                                                                        \
+    TAPA(void, glUniformMatrix##forma##fv, (GLint donde, GLsizei n, GLboolean t, const GLfloat *v), donde,   \
+         n, t, v)
+NUMEROS(f, GLfloat)
+NUMEROS(i, GLint)
+NUMEROS(ui, GLuint)
+MATRIZ(2)
+MATRIZ(3)
+MATRIZ(4)
+MATRIZ(2x3)
+MATRIZ(3x2)
+MATRIZ(2x4)
+MATRIZ(4x2)
+MATRIZ(3x4)
+MATRIZ(4x3)
 
 /// Antes de explicar; cuando explicaResponde sea verdad se puede seguir.
 EMSCRIPTEN_KEEPALIVE void explicaPregunta(void) {

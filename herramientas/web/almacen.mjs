@@ -1,4 +1,4 @@
-// Lo que guarda el navegador: los shaders cambiados y los ejercicios resueltos. Puede haberlo guardado otra página.
+// Lo que guarda el navegador: los ficheros cambiados y los ejercicios resueltos. Puede haberlo guardado otra página.
 import { json } from './datos.mjs';
 import { esShader } from './fuentes.mjs';
 
@@ -14,7 +14,7 @@ export function recuerdo(almacen, clave, texto) {
   }
 }
 
-/// Los shaders cambiados: parejas de ruta y texto.
+/// Los ficheros cambiados: parejas de ruta y texto.
 export function leeCambios(texto) {
   try {
     const pares = JSON.parse(texto ?? '[]');
@@ -28,9 +28,10 @@ export function leeCambios(texto) {
 export const leeResueltos = texto => new Set((texto ?? '').split(' ').filter(codigo => /^[EL]\d+\.\d+$/.test(codigo)));
 
 /// Un fichero tal como está en el programa.
-export const solucion = async ruta => (await json(esShader(ruta) ? 'shaders' : 'codigo'))[ruta];
+export const solucion = async ruta =>
+  (await json(esShader(ruta) ? 'shaders' : ruta.startsWith('common/') ? 'comun' : 'codigo'))[ruta];
 
-/// Los shaders que se tocan: los de la pestaña o, en un ejercicio, los suyos, que parten de su esqueleto.
+/// Los ficheros que se tocan: los de la pestaña o, en un ejercicio, los suyos, que parten de su esqueleto.
 export class Taller {
   guardado = true; // lo último que se ha apuntado
 

@@ -13,11 +13,14 @@ export function recuerda(hace, hechas = new Map()) {
   };
 }
 
-export async function descomprime(base64) {
-  const comprimidos = Uint8Array.from(atob(base64), c => c.charCodeAt(0));
-  const flujo = new Blob([comprimidos]).stream().pipeThrough(new DecompressionStream('deflate'));
+const deBase64 = base64 => Uint8Array.from(atob(base64), c => c.charCodeAt(0));
+
+export async function infla(blob) {
+  const flujo = blob.stream().pipeThrough(new DecompressionStream('deflate'));
   return new Uint8Array(await new Response(flujo).arrayBuffer());
 }
+
+export const descomprime = async base64 => infla(new Blob([deBase64(base64)]));
 
 const pide = nombre => new Promise((bien, mal) => {
   const falta = () => mal(new Error(`no se puede leer datos/${nombre}.js`));
@@ -25,10 +28,18 @@ const pide = nombre => new Promise((bien, mal) => {
   document.head.append(crea('script', { src: `datos/${nombre}.js`, onload: alCargar, onerror: falta }));
 });
 
-export const bytes = recuerda(async nombre => {
+async function toma(nombre) {
   await pide(nombre);
   const base64 = llegados[nombre];
   delete llegados[nombre];
+  return base64;
+}
+
+/// Tal como llegan.
+export const comprimidos = async nombre => deBase64(await toma(nombre));
+
+export const bytes = recuerda(async nombre => {
+  const base64 = await toma(nombre);
   return descomprime(base64).catch(() => { throw new Error(`datos/${nombre}.js está estropeado`); });
 });
 

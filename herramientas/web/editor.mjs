@@ -1,14 +1,16 @@
-// El editor de los shaders: las pestañas, lo que se escribe y los errores en su línea.
+// El editor de los shaders y, si se compilan en la página, de los fuentes: las pestañas, lo que se escribe y los
+// errores en su línea.
 import { boton, crea, todos, una } from '../base/documento.mjs';
 import { ejecuta, json } from './datos.mjs';
 import { esShader } from './fuentes.mjs';
 import { solucion } from './almacen.mjs';
 
 const OPCIONES = { theme: 'lab', lineNumbers: true, lineWrapping: true, indentUnit: 4, matchBrackets: true,
+  gutters: ['CodeMirror-linenumbers', 'dichos'],
   extraKeys: { Tab: false, 'Shift-Tab': false }, screenReaderLabel: 'Editor' };
 const estado = una('.fichero-estado');
 
-/// Al escribir en un shader llama a `alEscribir()` y, cuando está apuntado en el taller, a `alCambiar(ruta, texto)`.
+/// Al escribir llama a `alEscribir()` y, cuando está apuntado en el taller, a `alCambiar(ruta, texto)`.
 export class Editor {
   cm;           // el de CodeMirror, que se descarga la primera vez
   abierto = ''; // el fichero que se ha pedido
@@ -20,7 +22,11 @@ export class Editor {
   #errores = [];
   #reloj = 0;
 
-  constructor({ alEscribir, alCambiar }) { Object.assign(this, { alEscribir, alCambiar }); }
+  /// `alCompilar()`, si se puede, es lo que hace Ctrl+Intro.
+  constructor({ alEscribir, alCambiar, alCompilar }) { Object.assign(this, { alEscribir, alCambiar, alCompilar }); }
+
+  /// Si se puede cambiar: en un ejercicio, de momento, solo los shaders.
+  cambiable(ruta) { return esShader(ruta) || Boolean(this.alCompilar && !this.#ejercicio); }
 
   /// Lo que viene es de ese programa o ejercicio, y se guarda en ese taller.
   estrena(programa, taller, ejercicio) {
@@ -31,11 +37,22 @@ export class Editor {
     this.abierto = '';
   }
 
-  /// Una pestaña para cada fichero. Si el programa no ha arrancado por un error, se abre por él.
-  async ensena(rutas, errores, vivo) {
+  /// Va a esa línea.
+  async vaA({ ruta, linea }) {
+    await this.abre(ruta);
+    this.cm.setCursor(linea - 1, 0);
+    this.cm.focus();
+  }
+
+  /// Una pestaña para cada fichero y, si hay `mas()`, otra que trae los que da. Si el programa no ha arrancado por un
+  /// error, se abre por él.
+  async ensena(rutas, errores, vivo, mas) {
     this.#errores = errores;
-    una('.pestanas').replaceChildren(...rutas.map(ruta =>
-      Object.assign(boton(ruta.split('/').pop(), () => this.abre(ruta), { title: ruta }), { ruta })));
+    const pestana = ruta =>
+      Object.assign(boton(ruta.split('/').pop(), () => this.abre(ruta), { title: ruta }), { ruta });
+    const otras = boton('common/…', async () => otras.replaceWith(...(await mas()).map(pestana)), {
+      title: 'Los de common/ que usa' });
+    una('.pestanas').replaceChildren(...rutas.map(pestana), ...mas ? [otras] : []);
     const [mal] = vivo ? [] : errores;
     await this.abre([mal?.ruta, this.abierto].find(r => rutas.includes(r)) ?? rutas[0]);
     if (mal) this.cm.scrollIntoView({ line: mal.linea, ch: 0 }, 99);
@@ -49,7 +66,7 @@ export class Editor {
     const taller = this.#taller;
     const texto = this.#viendo ? await solucion(ruta) : taller.cambios.get(ruta) ?? await taller.original(ruta);
     if (ruta !== this.abierto) return;
-    this.cm.setOption('readOnly', this.#viendo || !esShader(ruta));
+    this.cm.setOption('readOnly', this.#viendo || !this.cambiable(ruta));
     if (this.ruta !== ruta || this.cm.getValue() !== texto) this.#pon(ruta, texto);
     this.marca();
   }
@@ -60,9 +77,10 @@ export class Editor {
     if (this.cm) return;
     document.head.prepend(crea('style', { textContent: css }));
     ejecuta(js);
-    this.cm = CodeMirror(una('.editor'), OPCIONES);
+    const compila = { 'Ctrl-Enter': () => this.alCompilar?.(), 'Cmd-Enter': () => this.alCompilar?.() };
+    this.cm = CodeMirror(una('.editor'), { ...OPCIONES, extraKeys: { ...OPCIONES.extraKeys, ...compila } });
     this.cm.on('change', (_, { origin }) => {
-      if (origin === 'setValue' || this.#viendo || !esShader(this.abierto)) return;
+      if (origin === 'setValue' || this.#viendo || !this.cambiable(this.abierto)) return;
       clearTimeout(this.#reloj);
       this.#reloj = setTimeout(() => this.aplicaYa(), 250);
     });
@@ -86,22 +104,26 @@ export class Editor {
     this.#errores = errores;
     if (!this.cm) return;
     this.cm.operation(() => {
+      this.cm.clearGutter('dichos');
       this.cm.eachLine(l => this.#limpia(l));
-      for (const { ruta, linea, mensaje } of errores) {
-        if (ruta !== this.abierto || linea > this.cm.lineCount()) continue;
-        this.cm.addLineClass(linea - 1, 'background', 'linea-mala');
-        this.cm.addLineWidget(linea - 1, crea('div', { className: 'mensaje-malo', textContent: mensaje }));
+      for (const { ruta, linea, mensaje, clase } of errores) {
+        if (ruta !== this.abierto || linea > this.cm.lineCount() || !linea) continue;
+        const [fondo, dicho] = clase === 'aviso' ? ['linea-avisada', 'mensaje-aviso'] : ['linea-mala', 'mensaje-malo'];
+        this.cm.addLineClass(linea - 1, 'background', fondo);
+        this.cm.setGutterMarker(linea - 1, 'dichos',
+          crea('span', { className: dicho, textContent: '●', title: mensaje }));
+        this.cm.addLineWidget(linea - 1, crea('div', { className: dicho, textContent: mensaje }));
       }
     });
     for (const b of todos('.pestanas button')) {
       b.classList.toggle('cambiado', this.#taller.cambios.has(b.ruta));
-      b.classList.toggle('mal', errores.some(e => e.ruta === b.ruta));
+      b.classList.toggle('mal', errores.some(e => e.ruta === b.ruta && e.clase !== 'aviso'));
     }
-    this.#diEstado(errores[0]);
+    this.#diEstado(errores.find(e => e.clase !== 'aviso'));
   }
 
   #limpia(l) {
-    this.cm.removeLineClass(l, 'background', 'linea-mala');
+    for (const clase of ['linea-mala', 'linea-avisada']) this.cm.removeLineClass(l, 'background', clase);
     if (this.#ejercicio && this.esMarca(l.text)) this.cm.addLineClass(l, 'background', 'linea-marca');
     for (const w of [...l.widgets ?? []]) w.clear();
   }
@@ -111,9 +133,10 @@ export class Editor {
     estado.classList.toggle('mal', Boolean(mal));
     estado.replaceChildren(this.#viendo ? 'Así está en el programa. Lo que has escrito sigue guardado.'
       : mal ? (mal.ruta ? `${mal.ruta}, línea ${mal.linea}: ${mal.mensaje}` : mal.mensaje)
-      : !esShader(this.abierto) ? 'Solo para leer: lo que se puede cambiar aquí son los shaders.'
+      : !this.cambiable(this.abierto) ? 'Solo para leer: lo que se puede cambiar aquí son los shaders.'
       : cambiado && !this.#taller.guardado ? 'Cambiado, y este navegador no lo puede guardar: al cerrar se pierde.'
-      : cambiado ? 'Cambiado.' : 'Se aplica según se escribe.');
+      : cambiado ? 'Cambiado.'
+      : esShader(this.abierto) ? 'Se aplica según se escribe.' : 'Al compilarlo (Ctrl+Intro) se ve lo que cambies.');
     if (this.#viendo || !cambiado) return;
     estado.append(boton(this.#ejercicio ? 'Borrar lo escrito' : 'Volver al original', () => this.#vuelve()));
   }

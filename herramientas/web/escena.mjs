@@ -5,7 +5,7 @@ import { leeError } from './fuentes.mjs';
 import { Hecho, leeGuion, Reloj, repite } from './guiones.mjs';
 import { tallaDe } from './imagenes.mjs';
 import { abreMenu } from './menu.mjs';
-import { arranca } from './programa.mjs';
+import { arranca, motivoDe } from './programa.mjs';
 
 const marco = una('.lienzo'), telon = una('.telon'), consola = una('.consola');
 
@@ -22,7 +22,8 @@ function calla() {
 const ponTitulo = texto => { una('.estado').textContent = texto; };
 const talla = () => tallaDe(marco.getBoundingClientRect(), devicePixelRatio);
 
-/// Cuando un programa ha arrancado llama a `alArrancar`, y cuando ha vuelto a leer sus shaders, a `alRecargar`.
+/// Cuando un programa ha arrancado llama a `alArrancar`; cuando ha vuelto a leer sus shaders, a `alRecargar`, y si ha
+/// fallado, a `alFallar(error)`.
 export class Escena {
   suavizado = true;
   quieta = false; // si el tiempo no pasa
@@ -37,13 +38,14 @@ export class Escena {
   #reloj;
   #cuadro;
 
-  constructor({ alArrancar, alRecargar }) {
-    Object.assign(this, { alArrancar, alRecargar });
+  constructor({ alArrancar, alRecargar, alFallar }) {
+    Object.assign(this, { alArrancar, alRecargar, alFallar });
     new ResizeObserver(() => this.#ajusta()).observe(marco);
   }
 
-  /// Empieza un programa y repite un guion. De lo pedido, `textos()` da los shaders que no son los originales;
-  /// `ficheros` son los que se le dan, y `acompana(sesión, opciones)`, si lo hay, devuelve otra sesión que hace más.
+  /// Empieza un programa y repite un guion. De lo pedido, `textos()` da los ficheros que no son los originales;
+  /// `compilado()`, el programa, si no lo es; `ficheros` son los que se le dan, y `acompana(sesión, opciones)`, si lo
+  /// hay, devuelve otra sesión que hace más.
   async empieza(pedido, guion = '') {
     const turno = ++this.#turno, vale = () => turno === this.#turno;
     const teniaFoco = marco.contains(document.activeElement), lienzo = this.#prepara(pedido);
@@ -51,8 +53,9 @@ export class Escena {
     try {
       nueva = await this.#arranca(lienzo, vale);
     } catch (error) {
-      if (vale()) cubre(`No se puede arrancar el programa: ${error.message ?? error}`);
-      return;
+      if (!vale()) return;
+      cubre(`No se puede arrancar el programa: ${pedido.compilado?.() ? motivoDe(error) : error.message ?? error}`);
+      return this.alFallar(error);
     }
     // hasta que no acaba de repetirse el guion no hay sesión: lo que se haga en la página no se mezcla con él
     const { ordenes, recortado } = leeGuion(guion);
@@ -110,9 +113,10 @@ export class Escena {
   }
 
   async #arranca(lienzo, vale) {
-    const { programa, textos, ficheros, acompana } = this.#pedido;
+    const { programa, textos, ficheros, acompana, compilado } = this.#pedido;
     const sesion = await arranca(programa, {
       lienzo, ...talla(), textos: textos(), ficheros, suavizado: this.suavizado,
+      compilado: compilado?.(),
       di: linea => { if (vale()) this.#di(linea); },
       titulo: texto => { if (vale()) ponTitulo(texto); },
     });
@@ -171,6 +175,7 @@ export class Escena {
     const { vivo, fallo } = this.sesion;
     if (vivo || this.#pedido.programa.consola) return;
     cubre(fallo ? this.#escrito.slice(-3).join('\n') || 'El programa ha fallado' : 'El programa ha terminado');
+    if (fallo) this.alFallar(this.sesion.error);
   }
 
   /// Una vez por cuadro: el ratón que se ha movido y, si el programa se anima, el tiempo que ha pasado.

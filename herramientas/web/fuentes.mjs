@@ -11,6 +11,16 @@ export function ordenaFuentes(rutas, capitulo) {
   return [...new Set(rutas)].sort((a, b) => puesto(a) - puesto(b));
 }
 
+/// Las cabeceras que incluye, también por las suyas, de esos textos { ruta: texto }; de cada una, también su fuente.
+export function incluidas(ruta, textos, hay = new Set()) {
+  for (const [, nombre] of textos[ruta]?.matchAll(/^#include "(?:.*\/)?(.*)"/gm) ?? [])
+    for (const otra of Object.keys(textos).filter(r => r.endsWith('/' + nombre) && !hay.has(r))) {
+      hay.add(otra);
+      incluidas(otra, textos, hay);
+    }
+  return hay;
+}
+
 /// Los shaders que se enseñan en un ejercicio: los suyos, su pareja y los que se incluyen.
 export function delEjercicio(suyos, rutas) {
   const tallo = ruta => ruta.replace(/\.\w+$/, '');

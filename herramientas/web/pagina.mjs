@@ -5,6 +5,8 @@ import { atiendeBuscador } from '../base/buscador.mjs';
 import { acomodaLado, sigueEnLado } from '../base/lado.mjs';
 import { Taller } from './almacen.mjs';
 import { ensenaCatalogo } from './catalogo.mjs';
+import { Compilacion } from './compilacion.mjs';
+import { SE_COMPILA } from './compilador.mjs';
 import { json } from './datos.mjs';
 import { avisa, todos, una } from '../base/documento.mjs';
 import { guarda } from './descarga.mjs';
@@ -16,7 +18,7 @@ import { atiendeTeclado } from './entrada.mjs';
 import { Escena } from './escena.mjs';
 import { ensenaCaso, ponCasos, ponFicha } from './ficha.mjs';
 import { cierraExplicado, ensena } from './explicado.mjs';
-import { delEjercicio, esShader, ordenaFuentes } from './fuentes.mjs';
+import { delEjercicio, esShader, incluidas, ordenaFuentes } from './fuentes.mjs';
 import { casoInicial } from './guiones.mjs';
 import { copiaLinea, incrusta, lineaDe } from './incrustado.mjs';
 import { ponMandos } from './mandos.mjs';
@@ -35,19 +37,36 @@ let ruta; // a la que se ha ido
 let sitio = 0; // por dónde se dejó el catálogo
 let explicando = Promise.resolve();
 
-export const escena = new Escena({ alArrancar, alRecargar });
+export const escena = new Escena({ alArrancar, alRecargar, alFallar: error => compilacion.falla(error) });
 export const editor = new Editor({
   alEscribir: () => visto.ejercicio?.olvidaRevision(),
-  alCambiar: (fichero, texto) => conCuidado(() => escena.cambia(fichero, texto)),
+  alCambiar: (fichero, texto) => esShader(fichero) ? conCuidado(() => escena.cambia(fichero, texto)) : editor.marca(),
+  alCompilar: SE_COMPILA && compila,
+});
+export const compilacion = new Compilacion({
+  visto: () => visto,
+  alDecir: () => editor.marca(errores()),
+  alCompilar: () => conCuidado(() => escena.repite()),
+  vaA: sitio => editor.vaA(sitio),
 });
 const propios = new Propios(() => empieza());
+
+/// Los de los shaders y los de los fuentes.
+const errores = () => [...escena.errores, ...compilacion.dichos];
+
+/// Lo que está escrito, aunque se acabe de teclear. En una función, que se alza: el editor la nombra antes.
+async function compila() {
+  await editor.aplicaYa();
+  return compilacion.hazlo();
+}
 
 function empieza(guion) {
   dejaDeExplicar();
   const { programa, ejercicio, taller } = visto;
   const acompana = ejercicio && ((sesion, opciones) => ejercicio.conObjetivo(sesion, opciones));
   return conCuidado(() =>
-    escena.empieza({ programa, textos: () => taller.textos(), ficheros: propios.ficheros, acompana }, guion));
+    escena.empieza({ programa, textos: () => taller.textos(), ficheros: propios.ficheros, acompana,
+      compilado: () => ejercicio ? undefined : compilacion.modulo(programa, taller) }, guion));
 }
 
 /// Hace algo con lo escrito, apuntado hasta que se ve: leer un píxel espera a que esté dibujado.
@@ -73,13 +92,20 @@ function alArrancar() {
   const { programa, ejercicio } = visto, { leidos, vivo } = escena.sesion;
   const shaders = [...leidos].map(r => r.replace(/^\/lab\//, '')).filter(r => /^ch/.test(r) && esShader(r));
   const todas = ordenaFuentes([...shaders, ...programa.fuentes], programa.capitulo);
-  editor.ensena(ejercicio ? delEjercicio(Object.keys(ejercicio.pide), todas) : todas, escena.errores, vivo)
+  editor.ensena(ejercicio ? delEjercicio(Object.keys(ejercicio.pide), todas) : todas, errores(), vivo,
+    SE_COMPILA && !ejercicio && (() => deComun(programa)))
     .catch(error => avisa(`No se pueden ver los ficheros: ${error.message}`));
   ejercicio?.comparaPronto();
 }
 
+/// Los fuentes de common/ que usa un programa.
+async function deComun({ capitulo, nombre }) {
+  const suyos = incluidas(`${capitulo}/${nombre}.cpp`, await compilacion.originales());
+  return ordenaFuentes([...suyos].filter(r => r.startsWith('common/')), capitulo);
+}
+
 function alRecargar() {
-  editor.marca(escena.errores);
+  editor.marca(errores());
   if (explicado()) explica(explicado().pixel, false);
 }
 
@@ -119,6 +145,7 @@ function navega() {
   visto.ejercicio?.deja();
   escena.cierra();
   visto = { programa };
+  compilacion.olvida();
   una('#catalogo').hidden = Boolean(programa);
   una('#programa').hidden = !programa;
   document.body.classList.toggle('en-programa', Boolean(programa));
@@ -216,6 +243,7 @@ function dejaDeExplicar() {
 atiendeTeclado(escena, () => visto.programa);
 atiendePunteria(explica, () => escena.sesion?.vivo && !visto.programa.consola);
 una('.explica-cuadro').onclick = () => explica();
+if (SE_COMPILA) una('.compila').onclick = compila;
 for (const b of todos('.otra-vez')) b.onclick = () => empiezaCaso();
 una('.completa').onclick = completa;
 una('.proyecta').onclick = proyecta;

@@ -17,6 +17,7 @@ from pathlib import Path
 
 from base import catalogo, controles, fuentes, indice, libro, marcas, paginas
 from base.procesos import ejecuta, escribe, principal
+from web import taller
 
 PLANTILLA = Path(__file__).with_name("web.html")
 CODEMIRROR = Path("/usr/share/javascript/codemirror")
@@ -75,8 +76,20 @@ class Pagina:
 
     def empaqueta(self, nombre, datos):
         datos = datos if isinstance(datos, bytes) else json.dumps(datos, ensure_ascii=False).encode()
-        comprimido = base64.b64encode(zlib.compress(datos, 9)).decode()
-        escribe(self.nuevos / f"{nombre}.js", f'llega("{nombre}","{comprimido}")\n')
+        self.escribe_datos(nombre, zlib.compress(datos, 9))
+
+    def escribe_datos(self, nombre, comprimidos):
+        escribe(self.nuevos / f"{nombre}.js", f'llega("{nombre}","{base64.b64encode(comprimidos).decode()}")\n')
+
+    def empaqueta_taller(self):
+        """Lo de compilar en ella, que solo se pide para compilar, si está el compilador; y lo que se sabe de ello."""
+        if not taller.paquete(self.build):
+            return None
+        ficheros = [*taller.Taller(self.raiz, self.build).ficheros()]
+        for fichero in ficheros:
+            self.escribe_datos(*fichero)
+        self.empaqueta("comun", self.textos("common/**/*.cpp", "common/**/*.h"))
+        return taller.resumen(ficheros)
 
     def textos(self, *patrones):
         ficheros = sorted(f for patron in patrones for f in self.raiz.glob(patron))
@@ -105,7 +118,7 @@ class Pagina:
     def escribe(self, capitulos):
         try:
             self.empaqueta_todo(capitulos)
-            self.escribe_indice(capitulos, self.cambia_los_datos)
+            self.escribe_indice(capitulos, self.cambia_los_datos, self.empaqueta_taller())
         finally:
             shutil.rmtree(self.nuevos, ignore_errors=True)
 
@@ -142,7 +155,7 @@ class Pagina:
             if textura.suffix in TEXTURAS:
                 self.empaqueta(textura.name, textura.read_bytes())
 
-    def escribe_indice(self, capitulos, antes=lambda: None):
+    def escribe_indice(self, capitulos, antes=lambda: None, taller=None):
         programas = [p for capitulo in capitulos for p in capitulo.programas]
         self.destino.mkdir(parents=True, exist_ok=True)
         del_libro, listados = libro.Libro(self.raiz, capitulos), self.listados()
@@ -167,6 +180,7 @@ class Pagina:
             miniaturas=miniaturas,
             ejercicios={p["nombre"]: p["ejercicios"] for p in datos},
             guion=guion,
+            taller=taller,
         )
 
 

@@ -1,16 +1,56 @@
 // Cargar un programa y hacerlo andar: una instancia de lab.js.
 import { bytes, json, laboratorio } from './datos.mjs';
 
+/// Las de WebGL 2 que nadie ha usado al hacer la página están solo con su otro nombre. Una excepción, que en JavaScript
+/// es un número, dice por dónde se ha llegado a ella.
+function ponTodas(funciones, alLanzar) {
+  const lanza = funciones.__cxa_throw;
+  funciones.__cxa_throw = (...que) => {
+    alLanzar(new Error('excepción'));
+    lanza(...que);
+  };
+  for (const [nombre, suya] of Object.entries(funciones))
+    if (nombre.startsWith('emscripten_gl')) funciones[nombre.slice(11)] ??= suya;
+}
+
+// De lo que puede hacer mal un programa compilado en la página, qué se dice. Los demás motivos son suyos.
+const MOTIVOS = [
+  [/no acaba/, 'no acaba: lleva unos segundos en lo mismo. ¿Un bucle sin fin?'],
+  [/call stack|recursion/, 'una función se llama a sí misma sin parar, y se ha llenado la pila.'],
+  [/divi(de|sion) by zero/, 'divide un entero entre cero.'],
+  [/unreachable/, 'un índice se sale de su array, se divide entre cero o una función que da algo acaba sin return.'],
+  [/out of bounds/, 'se lee o se escribe donde no hay nada: un puntero nulo o un índice que se sale.'],
+  [/Cannot enlarge|OOM|bad_alloc/, 'se ha acabado la memoria.'],
+  [/Aborted/, 'ha terminado con abort: mira lo que ha escrito.'],
+  [/excepción/, 'ha lanzado una excepción: .at() que se sale, std::stoi de lo que no es un número, falta memoria…'],
+];
+const SE_ESPERA = 4000; // ms, a lo que hace con una orden
+
+/// Los ms que se espera a un guion: lo de cada orden y cuatro veces el tiempo que pasa en él.
+const espera = guion => guion.split(';').reduce((ms, orden) => {
+  const [, pasan = 0] = orden.match(/espera (\d+)/) ?? [], [, veces = 1] = orden.match(/×(\d+)/) ?? [];
+  return ms + veces * (SE_ESPERA + 4 * pasan);
+}, 0);
+
+/// Lo que se dice de un error de los que acaban un programa.
+export const motivoDe = error =>
+  MOTIVOS.find(([que]) => que.test(String(error?.message ?? error)))?.[1] ?? String(error);
+
 /// Arranca un programa en un lienzo. `di(línea)` recibe lo que escribe; `titulo(texto)`, el de la ventana; `ficheros`
-/// son los que se le dan además de los del laboratorio; `textos`, los shaders que no son los originales. Devuelve lo
-/// que se puede hacer con él.
+/// son los que se le dan además de los del laboratorio; `textos`, los que no son los originales; `compilado`, el módulo
+/// del que se ha compilado en la página, si no es el original. Devuelve lo que se puede hacer con él.
 export async function arranca(programa,
-  { lienzo, ancho, alto, textos = {}, ficheros = {}, suavizado = true, di = () => {}, titulo = () => {} }) {
+  { lienzo, ancho, alto, textos = {}, ficheros = {}, suavizado = true, compilado, di = () => {}, titulo = () => {} }) {
   const [modulo, shaders, suyos] =
-    await Promise.all([laboratorio(), json('shaders'), textos, ...programa.texturas.map(bytes)]);
-  const lab = await Laboratorio({
+    await Promise.all([compilado ?? laboratorio(), json('shaders'), textos, ...programa.texturas.map(bytes)]);
+  let lanzada;
+  const lab = await (compilado ? LaboratorioDelTaller : Laboratorio)({
     canvas: lienzo, suavizado, thisProgram: programa.nombre, print: di, printErr: di, titulo,
-    instantiateWasm: (lo, recibe) => { WebAssembly.instantiate(modulo, lo).then(recibe); return {}; },
+    instantiateWasm: (lo, recibe) => {
+      if (compilado) ponTodas(lo.env, error => { lanzada = error; });
+      WebAssembly.instantiate(modulo, lo).then(recibe);
+      return {};
+    },
   });
   const escribe = (ruta, datos) => {
     lab.FS.mkdirTree(ruta.replace(/\/[^/]*$/, ''));
@@ -22,7 +62,16 @@ export async function arranca(programa,
   const leidos = new Set(), abre = lab.FS.open;
   lab.FS.open = (ruta, ...resto) => { leidos.add(String(ruta)); return abre(ruta, ...resto); };
 
-  let estado = lab.callMain(['-geometry', `${ancho}x${alto}`, ...Object.keys(ficheros)]) || 0;
+  if (compilado) Error.stackTraceLimit = 50; // para saber desde qué línea suya se ha llegado a lo que falla
+  const da = (hace, guion = '') => {
+    lab.hasta = performance.now() + espera(guion);
+    try {
+      return hace();
+    } catch (error) {
+      throw typeof error === 'number' ? lanzada ?? error : error;
+    }
+  };
+  let estado = da(() => lab.callMain(['-geometry', `${ancho}x${alto}`, ...Object.keys(ficheros)])) || 0;
   return {
     lienzo, leidos,
     get vivo() { return !estado; },
@@ -33,9 +82,12 @@ export async function arranca(programa,
     orden(texto) {
       if (estado) return;
       try {
-        if (lab.ccall('glutOrden', 'number', ['string'], [texto])) estado = -1;
+        if (da(() => lab.ccall('glutOrden', 'number', ['string'], [texto]), texto)) estado = -1;
       } catch (error) {
-        if (error.name !== 'ExitStatus') di(String(error));
+        if (error.name !== 'ExitStatus') {
+          di(compilado ? motivoDe(error) : String(error));
+          this.error = error;
+        }
         estado = error.status || 1;
       }
     },

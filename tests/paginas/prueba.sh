@@ -20,7 +20,8 @@ bibliotecas() {
   cp tests/paginas/package-lock.json "$build/paginas/puesto.json"
 }
 programas() {
-  cmake --preset web -B "$build/web" && cmake --build "$build/web" --target laboratorio
+  python3 -B herramientas web.taller "$build"
+  cmake --preset web -B "$build/web" && cmake --build "$build/web" --target laboratorio taller
 }
 
 abre="$carpeta/página (1)"

@@ -1,0 +1,105 @@
+// Compilar el programa que se ve: el botón, la barra de lo que se trae la primera vez y la lista de lo que dice clang.
+import { boton, crea, una } from '../base/documento.mjs';
+import { Compilador, cuantoPesa, SE_COMPILA } from './compilador.mjs';
+import { json } from './datos.mjs';
+import { motivoDe } from './programa.mjs';
+
+const esFuente = ruta => /\.(cpp|h)$/.test(ruta);
+const compila = una('.compila'), cancela = una('.cancela'), barra = una('.trae'), estado = una('.compila-estado'),
+  lista = una('ul.dichos');
+
+export class Compilacion {
+  dichos = [];  // los del último intento
+  compilador = new Compilador();
+  #modulos = new Map(); // de cada programa, el que se ha compilado y de qué cambios
+  #haciendo;
+
+  /// `visto()` es lo que se ve; cuando hay algo que enseñar llama a `alDecir()`, y si ha salido, a `alCompilar()`.
+  constructor({ visto, alDecir, alCompilar, vaA }) {
+    Object.assign(this, { visto, alDecir, alCompilar, vaA });
+    if (!SE_COMPILA) return;
+    compila.textContent = `Compilar (la primera vez se traen ${cuantoPesa()})`;
+  }
+
+  /// El módulo del programa, si se ha compilado lo que hay escrito en sus fuentes, o en otros.
+  modulo({ nombre }, taller) { return this.#cambios(taller).length ? this.#modulos.get(nombre) : undefined; }
+
+  #cambios(taller) { return [...taller.cambios].filter(([ruta]) => esFuente(ruta)); }
+
+  async originales() { return { ...await json('codigo'), ...await json('comun') }; }
+
+  /// De uno en uno: el que se pide mientras tanto va después, con lo que entonces haya escrito.
+  hazlo() {
+    const antes = this.#haciendo ?? Promise.resolve();
+    this.#haciendo = antes.then(() => this.#haz());
+    return this.#haciendo;
+  }
+
+  async #haz() {
+    const { programa, taller, ejercicio } = this.visto();
+    if (!SE_COMPILA || !programa || ejercicio) return;
+    const cambios = this.#cambios(taller), sigue = () => this.visto().programa === programa;
+    try {
+      await this.#trae();
+      estado.textContent = 'Compilando…';
+      const fuentes = { ...await this.originales(), ...Object.fromEntries(cambios) };
+      const hecho = await this.compilador.compila(programa, fuentes, cambios.map(([ruta]) => ruta));
+      if (hecho.modulo) this.#modulos.set(programa.nombre, hecho.modulo);
+      if (!sigue()) return;
+      this.ultimo = hecho;
+      this.#di(hecho.dichos, hecho.modulo);
+      if (hecho.modulo) await this.alCompilar();
+    } catch (error) {
+      estado.textContent = error.name === 'AbortError' ? 'No se ha traído: al pedirlo otra vez se empieza de nuevo.'
+        : `No se puede compilar: ${error.message}`;
+    }
+  }
+
+  async #trae() {
+    if (this.compilador.listo) return;
+    const corta = new AbortController();
+    cancela.onclick = () => corta.abort();
+    barra.hidden = cancela.hidden = false;
+    try {
+      await this.compilador.prepara((bytes, de) => {
+        Object.assign(barra, { value: bytes, max: de });
+        estado.textContent = `Trayendo el compilador, una vez: ${Math.round(bytes / 1e6)} de ${cuantoPesa()}`;
+      }, corta.signal);
+      compila.textContent = 'Compilar';
+    } finally {
+      barra.hidden = cancela.hidden = true;
+    }
+  }
+
+  #di(dichos, sale) {
+    const errores = dichos.filter(d => d.clase === 'error').length, avisos = dichos.length - errores;
+    const cuantos = (n, que) => n ? `${n} ${que}${n > 1 ? (que === 'error' ? 'es' : 's') : ''}` : '';
+    const todos = [cuantos(errores, 'error'), cuantos(avisos, 'aviso')].filter(Boolean).join(' y ');
+    this.#ensena(dichos, sale ? `Compilado${todos && `, con ${todos}`}.` : `${todos}: sigue el de antes.`);
+  }
+
+  /// El programa compilado ha fallado con ese error: en qué línea, si se sabe.
+  async falla(error) {
+    const { programa, taller, ejercicio } = this.visto();
+    if (ejercicio || !this.modulo(programa, taller)) return;
+    const sitio = await this.compilador.busca(error);
+    if (sitio.ruta && this.visto().programa === programa)
+      this.#ensena([{ ...sitio, clase: 'error', mensaje: `Aquí ha fallado: ${motivoDe(error)}` }], 'Ha fallado.');
+  }
+
+  #ensena(dichos, texto) {
+    estado.textContent = texto;
+    this.dichos = dichos;
+    lista.replaceChildren(...dichos.map(d => crea('li', {}, boton(
+      `${d.ruta ? `${d.ruta.split('/').pop()}:${d.linea}: ` : ''}${d.mensaje}`, () => d.ruta && this.vaA(d),
+      { className: d.clase === 'error' ? 'mensaje-malo' : 'mensaje-aviso' }))));
+    this.alDecir();
+  }
+
+  /// Lo dicho era de otro programa.
+  olvida() {
+    this.dichos = [];
+    lista?.replaceChildren();
+    if (estado) estado.textContent = '';
+  }
+}
