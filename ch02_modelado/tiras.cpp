@@ -144,7 +144,7 @@ static void escribeIndices() {
     float y = 0.03f;
     for (std::size_t i = estado.tiras.size(); i-- > 0;) {
         const float alto = ALTO_RENGLON * float((estado.tiras[i].size() + POR_RENGLON - 1) / POR_RENGLON);
-        rotula(indicesEscritos(estado.tiras[i], POR_RENGLON), {0.02f, y + alto / 2}, 0.7f * colorTira(i),
+        rotula(indicesEscritos(estado.tiras[i], POR_RENGLON), {0.02f, y + alto / 2}, 0.77f * colorTira(i),
                Lado::DERECHA);
         y += alto;
     }
