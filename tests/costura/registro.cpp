@@ -1,7 +1,7 @@
-// Escribe en stdout todo lo que GLUT le dice y todo lo que él le pide, y cómo queda (glut_test.cpp). Lo que pide va en su
-// argumento, en tandas separadas por «/», y en cada una, llamadas separadas por «;»: una palabra y sus números. La
-// primera tanda, antes de glutMainLoop; las demás, una cada vez que se pulsa una tecla especial o le llega un valor
-// acabado en 7 de un menú o de un temporizador.
+// Escribe en stdout todo lo que GLUT le dice y todo lo que él le pide, y cómo queda (glut_test.cpp). Lo que pide va
+// en su argumento, en tandas separadas por «/», y en cada una, llamadas separadas por «;»: una palabra y sus
+// números. La primera tanda, antes de glutMainLoop; las demás, una cada vez que se pulsa una tecla especial o le
+// llega un valor acabado en 7 de un menú o de un temporizador.
 #include "ventana.h"
 #include <cstdio>
 #include <functional>
