@@ -79,6 +79,7 @@ PARA_CTEST = {
     "": ["-LE", "^todo$"],
     "--todo": ["-LE", "^muestra$"],
     "-R uno|dos -V": ["-R", "uno|dos", "-V"],
+    "-L todo": ["-L", "todo"],
     "-LE ventana": ["-LE", "ventana|^todo$"],
     "--rerun-failed": ["--rerun-failed", "-LE", "^todo$"],
 }

@@ -213,7 +213,8 @@ test('los enlaces: van y vuelven, y de los malos no se queja la página', () => 
   tabla(pixelEn, [[240, 140], { width: 960, height: 720 }, [240, 140]], [[0, 0], { width: 1920, height: 1440 }, [1, 1]],
     [[959, 719], { width: 240, height: 180 }, [239, 179]],
     [[0, 0], { width: 100, height: 300 }, [0, 112]], [[960, 0], { width: 960, height: 720 }, undefined]);
-  for (const lienzo of [{ width: 960, height: 720 }, { width: 700, height: 525 }, { width: 240, height: 180 }]) {
+  for (const lienzo of [{ width: 960, height: 720 }, { width: 700, height: 525 }, { width: 240, height: 180 },
+    { width: 2100, height: 1575 }]) {
     for (let vez = 0; vez < 50; ++vez) { // el píxel de un enlace es el que se copió
       const pixel = [azar(lienzo.width), azar(lienzo.height)];
       const copiado = leeEnlace(`#grua${enEnlace(pixel, lienzo)}`).pixel;
