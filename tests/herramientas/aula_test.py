@@ -686,6 +686,7 @@ def pareja(una, otra, *dadas):
 
 
 def test_lo_que_no_cuenta_al_comparar():
+    assert [p.linea for p in parecidos.palabras("a\n/* x\ny */ b\n// z\nc")] == [1, 3, 5]
     (p,) = pareja(UNA, OTRA)
     assert p.cuanto == 1 and p.lineas[0]["p.cpp"] == {2, 3} and p.lineas[1]["q.cpp"] == {2, 3, 4, 5, 6}
     ((mas,), todo) = (pareja(UNA, OTRA, UNA.replace(viejo, otro)) for viejo, otro in (("= 3", "= 4"), ("x", "y")))
