@@ -15,7 +15,7 @@ PARA_USAR, CORRIGE, MEDIDAS = PARA["usar"], PARA["corrige"], PARA["medidas"]  # 
 PRUEBAS = PARA["pruebas"] + CORRIGE
 PARES = ["libglu1-mesa-dev", "libnoise-dev", "imagemagick"]  # con LAB_PARES=1
 NAVEGADOR = ["chromium", "firefox-esr"]  # con LAB_NAVEGADOR=1
-WEB = "emscripten libjs-codemirror esbuild".split()
+WEB = "emscripten libjs-codemirror esbuild".split() + ([] if shutil.which("npm") else ["npm"])  # o el de otro Node.js
 WINDOWS = ["g++-mingw-w64-x86-64-posix", "dpkg-dev"]
 WINE = ["wine64", "openbox"]  # con LAB_WINDOWS=1
 OPENGL = {"llvmpipe": [], "softpipe": [], "zink": ["mesa-vulkan-drivers"], "swiftshader": ["chromium"]}
@@ -38,7 +38,7 @@ def para_pruebas():
     if os.environ.get("LAB_WINDOWS") == "1":
         todos += WINE
     if os.environ.get("LAB_NAVEGADOR") == "1":
-        todos += NAVEGADOR + WEB + ([] if shutil.which("npm") else ["npm"])  # hay Node.js que ya lo trae
+        todos += NAVEGADOR + WEB
     otro = os.environ.get("LAB_OPENGL", "")
     if otro and otro not in OPENGL:
         raise Fallo(f"LAB_OPENGL: no conozco «{otro}»; {' '.join(OPENGL)}")

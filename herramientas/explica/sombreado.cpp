@@ -22,7 +22,7 @@ struct Reescribible {
     std::string motivo; // por qué no se puede
 };
 
-// Si ese shader, que empieza así, se puede compilar.
+// El shader de esa fuente, o 0 si no compila.
 GLuint compila(GLenum tipo, const std::string &fuente) {
     const GLuint shader = glCreateShader(tipo);
     const GLchar *const texto = fuente.c_str();
@@ -36,7 +36,7 @@ GLuint compila(GLenum tipo, const std::string &fuente) {
     return 0;
 }
 
-// Lo que define OpenGL se le pregunta una vez.
+// Si OpenGL define ese nombre en un shader que empieza así: se le pregunta una vez.
 bool define(const std::string &cabecera, const std::string &nombre) {
     static std::map<std::string, bool> sabidos;
     const std::string fuente =

@@ -183,7 +183,7 @@ def de_zip(z, debajo=()):
 def de_dentro(nombre, lee, debajo):
     ruta = tuple(p for p in nombre.split("/") if p not in ("", ".", ".."))
     if nombre.startswith("/") or ".." in nombre.split("/") or ruta and ruta[0][1:2] == ":":
-        lee = functools.partial(no_se_lee, f"en el .zip hay una ruta que sale de su carpeta: «{limpio(nombre)}»")
+        lee = functools.partial(no_se_lee, f"en lo comprimido hay una ruta que sale de su carpeta: «{limpio(nombre)}»")
     if ruta:
         yield (*debajo, *ruta), functools.partial(lee, limpio(ruta[-1]))
 
