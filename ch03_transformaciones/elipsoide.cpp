@@ -23,7 +23,7 @@ static struct {
     Buferes esfera;
     std::vector<Paso> pasos = pasosElipsoide();
     std::size_t aplicados = 0;
-    Orbita orbita = {-0.5f, 0.35f, 18, {0.5f, 1.3f, 0.8f}};
+    Orbita orbita = {-0.5f, 0.35f, 15.5f, {0.9f, 1.3f, 0.8f}};
 } estado;
 
 static void inicia() {

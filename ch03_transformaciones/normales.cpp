@@ -86,10 +86,10 @@ static void trazaLado(int i, const glm::mat4 &M, const glm::mat4 &transformacion
     const glm::vec4 medio(0.5f * (a + b), 0.52f * FONDO, 1), medioLado(0.5f * (b - a), 0, 0);
     const glm::vec3 pie = M * medio;
     const float largo = estado.alReves ? LARGO / 2 : LARGO;
-    const auto flecha = [&](const glm::vec3 &v, const glm::vec3 &color, const char *nombre) {
-        trazaFlecha(pie, pie + largo * v, transformacion, color, 1.5f * GROSOR);
+    const auto flecha = [&](const glm::vec3 &v, const glm::vec3 &color, const char *nombre, float mide) {
+        trazaFlecha(pie, pie + mide * v, transformacion, color, 1.5f * GROSOR);
         if (i == CASOS[estado.elegido].ladoRotulado)
-            rotulaPunto(nombre, pie + (estado.alReves ? -0.8f : largo + 0.24f) * unitario(v), transformacion,
+            rotulaPunto(nombre, pie + (estado.alReves ? -0.8f : mide + 0.24f) * unitario(v), transformacion,
                         color, Lado::CENTRO);
     };
     const glm::vec3 n = (estado.alReves ? -1.0f : 1.0f) * normalLado(i);
@@ -106,14 +106,14 @@ static void trazaLado(int i, const glm::mat4 &M, const glm::mat4 &transformacion
     if (estado.sinNormalizar && hayNormal) {
         trazaSegmentos({pie, pie + largo * conN}, transformacion, GRIS);
         trazaPuntos({pie + largo * conN}, transformacion, GRIS);
-        flecha(Nn, VERDE, "N·n");
+        flecha(Nn, VERDE, "N·n", largo);
     } else if (!estado.sinNormalizar) {
         if (hayNormal)
-            flecha(conN, VERDE, coinciden ? "N·n = M·n" : "N·n");
+            flecha(conN, VERDE, coinciden ? "N·n = M·n" : "N·n", largo);
         if (!coinciden)
-            flecha(conM, ROJO, "M·n");
+            flecha(conM, ROJO, "M·n", largo);
         if (glm::determinant(glm::mat3(M)) < 0)
-            flecha(-conN, NARANJA, "adj(M)ᵀ·n");
+            flecha(-conN, NARANJA, "adj(M)ᵀ·n", LARGO / 2);
     }
 }
 

@@ -14,7 +14,7 @@
 #include "ventana.h"
 
 static const int COLUMNAS = 4, FILAS = 3;
-static const float SEPARACION = 2.6f, RADIO_SOLA = 3;
+static const float SEPARACION = 2.7f, RADIO_SOLA = 3;
 static const Luz LUZ{{-0.9f, 0.9f, 1, 0}};
 static const std::string TITULO = "Los doce materiales";
 
@@ -35,7 +35,7 @@ static void inicia() {
 
 static void dibuja() {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    const glm::mat4 camara = camaraOrbita(estado.orbita), proyeccion = perspectivaVentana(0.31f, 1, 100);
+    const glm::mat4 camara = camaraOrbita(estado.orbita), proyeccion = perspectivaVentana(0.325f, 1, 100);
     usaIluminado(estado.programa, camara, proyeccion, LUZ);
     const auto muestra = [&](int cual, const Buferes &esfera, const glm::vec3 &centro, float radio) {
         const auto &[nombre, material] = TABLA_MATERIALES[cual];

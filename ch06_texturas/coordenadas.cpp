@@ -17,6 +17,7 @@
 #include "textura.h"
 #include "trazo.h"
 #include "ventana.h"
+#include <algorithm>
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -119,8 +120,8 @@ static void dibujaTexturado(const Objeto &objeto, const glm::mat4 &camara, const
 
 static void dibuja() {
     const Recuadro v = ventanaEntera();
-    const Recuadro izquierda = {0, 0, v.ancho / 3, v.alto},
-                   derecha = {v.ancho / 3, 0, v.ancho - v.ancho / 3, v.alto};
+    const int ancho = std::min(v.ancho * 2 / 5, v.alto * 3 / 5);
+    const Recuadro izquierda = {0, 0, ancho, v.alto}, derecha = {ancho, 0, v.ancho - ancho, v.alto};
     const Objeto &objeto = estado.objetos[estado.elegido];
     glUseProgram(estado.programa);
     glBindTexture(GL_TEXTURE_2D, estado.textura);

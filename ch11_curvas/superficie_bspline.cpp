@@ -84,7 +84,7 @@ static void dibuja() {
         if (estado.veces > 1) {
             const auto fila = estado.P.begin() + FILA * LADO;
             trazaPuntos({fila, fila + LADO}, vista(), MORADO, 5 * GROSOR);
-            rotulaPunto("fila ×" + std::to_string(estado.veces), *fila, vista(), MORADO, Lado::DEBAJO);
+            rotulaPunto("fila ×" + std::to_string(estado.veces), *fila, vista(), MORADO, Lado::IZQUIERDA);
         }
         glEnable(GL_DEPTH_TEST);
     }

@@ -92,13 +92,13 @@ private:
         vertices.insert(vertices.end(), {{a, {0, 0, 1}}, {a - Vec3{0, 0, 0.9}, {0, 0, 1}}});
         const std::size_t k = 2 * i, otro = (k + 2) % 8;
         caras.insert(caras.end(), {{k, otro, otro + 1}, {k, otro + 1, k + 1}});
-        const auto flecha = [&, pie = medio + delante](const Vec3 &hacia, double largo = 1) {
-            return Linea{pie, pie + (c.alReves ? -0.375 : 0.75) * largo * unitario(hacia)};
+        const auto flecha = [&, pie = medio + delante](const Vec3 &hacia, double largo = 0.75) {
+            return Linea{pie, pie + (c.alReves ? -0.5 : 1) * largo * unitario(hacia)};
         };
         if (c.tangentes)
             delLado.push_back({a + delante, b + delante});
         if (c.sinNormalizar) { // N es la inversa traspuesta: con S(±2, 1, 1), la x a la mitad
-            deN.push_back(flecha(haciaFuera, std::hypot(n.x / 2, n.y)));
+            deN.push_back(flecha(haciaFuera, 0.75 * std::hypot(n.x / 2, n.y)));
             unitarias.push_back(flecha(haciaFuera));
             return;
         }
@@ -106,14 +106,14 @@ private:
         if (c.sx != 1)
             deM.push_back(flecha({c.sx * (by - ay), c.sy * (ax - bx), 0}));
         if (c.sx < 0)
-            deLaAdjunta.push_back(flecha(adjunta));
+            deLaAdjunta.push_back(flecha(adjunta, c.alReves ? 0.75 : 0.375));
     }
 };
 
 // El prisma en cada píxel: la normal de cada cara, ya transformada, mira hacia fuera del centro. Y en cada lado sus
-// flechas, todas de largo 0.75: verde, la perpendicular; roja, la del lado original con su x y su y escaladas; y
-// naranja la de la adjunta del libro, el producto vectorial tal cual. Azul, el propio lado; y, sin normalizar, gris la
-// unitaria y verde lo que mide con la inversa traspuesta.
+// flechas, de largo 0.75 y, hacia dentro, la mitad: verde, la perpendicular; roja, la del lado original con su x y su y
+// escaladas; y naranja la de la adjunta del libro, el producto vectorial tal cual. Azul, el propio lado; y, sin
+// normalizar, gris la unitaria y verde lo que mide con la inversa traspuesta.
 TEST(ProgramaNormales, CadaCasoContraElOraculo) {
     const CasoNormales casos[] = {
         {"", 1, 1},

@@ -198,10 +198,11 @@ const Material TABLA[12] = {{{0.022, 0.17, 0.02}, {0.08, 0.61, 0.08}, {0.63, 0.7
 
 /// El material elegido, de radio 3 y en el centro, o, con −1, los doce, de radio 1 y en tres filas de cuatro.
 Iluminada muestra(int elegido) {
-    Iluminada e{{}, {direccional({-0.9, 0.9, 1})}, perspectiva(orbita(0, 0, 26, {0, -0.3, 0}), 0.31, 1, 100)};
+    Iluminada e{
+        {}, {direccional({-0.9, 0.9, 1})}, perspectiva(orbita(0, 0, 26, {0, -0.3, 0}), 0.325, 1, 100)};
     for (int i = 0; i < 12; ++i)
         if (elegido < 0 || elegido == i) {
-            const Mat4 M = elegido < 0 ? traslada(2.6 * Vec3{i % 4 - 1.5, double(1 - i / 4), 0}) : escala(3);
+            const Mat4 M = elegido < 0 ? traslada(2.7 * Vec3{i % 4 - 1.5, double(1 - i / 4), 0}) : escala(3);
             Material m = TABLA[i];
             m.alfa *= 128;
             e.solidos.push_back({bola(M, segmentosEsfera(elegido < 0 ? 95 : 290)), m});

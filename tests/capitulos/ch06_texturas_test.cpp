@@ -207,7 +207,7 @@ struct Solido {
     int dx = 0, dy = 0;
     const Panel panel{perspectiva(orbita(0.6 - 0.01 * dx, 0.45 - 0.01 * dy, 5.6),
                                   2 * std::atan(0.75 * std::tan(0.25)), 1, 100),
-                      Hueco{80, 0, 160, 180}};
+                      Hueco{96, 0, 144, 180}};
 
     Objeto objeto() const {
         const Mat4 depie = gira({0, 1, 0}, -1.45) * gira({1, 0, 0}, -PI / 2);
@@ -235,17 +235,17 @@ TEST(Coordenadas, SeLeenEnLaImagenLasDeLaParametrizacion) {
         const Imagen gpu = recorta(v.escena, s.panel.hueco);
         const Escena escena = {s.objeto()};
         const auto impacto = [&](double x, double y) {
-            return primerImpacto(escena, rayo(s.panel.camara, 160, ALTO, x, y));
+            return primerImpacto(escena, rayo(s.panel.camara, s.panel.hueco.ancho, ALTO, x, y));
         };
         const auto ve = [&](double x, double y) { return s.coordenadas(impacto(x, y)); };
         int dentro = 0, comparados = 0;
         for (int y = 1; y < ALTO - 1; y += 3)
-            for (int x = 1; x < 160 - 1; x += 2) {
+            for (int x = 1; x < s.panel.hueco.ancho - 1; x += 2) {
                 const Coordenadas c = ve(x + 0.5, y + 0.5);
                 dentro += c.hay;
                 // junto a la costura el filtro mezcla s = 1 con s = 0; de canto o en un polo caben muchos texels
                 const double rho = texelsPorPixel(ve, x, y, im);
-                if (rho > 14 || std::min({c.s, 1 - c.s, c.t, 1 - c.t}) < 0.06)
+                if (rho > 16 || std::min({c.s, 1 - c.s, c.t, 1 - c.t}) < 0.06)
                     continue;
                 const Vec3 p = texel(gpu, x, y);
                 const double aLuz = std::fabs(p.z - 255 * luzFija(impacto(x + 0.5, y + 0.5).normal));
