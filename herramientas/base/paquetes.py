@@ -101,7 +101,7 @@ def instala(paquetes, build):
     como = []
     if os.getuid():
         if not shutil.which("sudo"):
-            pide = f"pide a quien administra la máquina: apt-get install {' '.join(lista)}"
+            pide = f"pide a quien administra la máquina: apt-get install --no-install-recommends {' '.join(lista)}"
             raise Fallo(f"faltan paquetes y no hay sudo; {pide}")
         como = ["sudo"]
     registro = build / "instala.log"
