@@ -15,7 +15,8 @@ PARA_USAR, CORRIGE, MEDIDAS = PARA["usar"], PARA["corrige"], PARA["medidas"]  # 
 PRUEBAS = PARA["pruebas"] + CORRIGE
 PARES = ["libglu1-mesa-dev", "libnoise-dev", "imagemagick"]  # con LAB_PARES=1
 NAVEGADOR = ["chromium", "firefox-esr"]  # con LAB_NAVEGADOR=1
-WEB = "emscripten libjs-codemirror esbuild".split() + ([] if shutil.which("npm") else ["npm"])  # o el de otro Node.js
+WEB = "emscripten libjs-codemirror esbuild libdeflate-tools".split()
+WEB += [] if shutil.which("npm") else ["npm"]  # o el de otro Node.js
 WINDOWS = ["g++-mingw-w64-x86-64-posix", "dpkg-dev"]
 WINE = ["wine64", "openbox"]  # con LAB_WINDOWS=1
 OPENGL = {"llvmpipe": [], "softpipe": [], "zink": ["mesa-vulkan-drivers"], "swiftshader": ["chromium"]}

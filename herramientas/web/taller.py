@@ -56,6 +56,14 @@ def sin_subir(donde, texto):
     return HACIA_ARRIBA.sub(lambda m: f"{m[1]}<{desde(m[2])}>", texto)
 
 
+def comprime(datos):
+    """Como zlib, y si está libdeflate, un 4 % menos: el mismo formato, pero le pone la cabecera de gzip."""
+    if not shutil.which("libdeflate-gzip"):
+        return zlib.compress(datos, 9)
+    de_gzip = ejecuta(["libdeflate-gzip", "-12", "-c"], input=datos)
+    return b"\x78\xda" + de_gzip[10:-8] + zlib.adler32(datos).to_bytes(4, "big")
+
+
 class Taller:
     """`build` es la del enlace web."""
 
@@ -132,7 +140,7 @@ class Taller:
         """Comprimido: es siempre el mismo, y tarda unos segundos."""
         origen, hecho = self.paquete / "llvm.core.wasm", self.paquete.parents[2] / "compilador.z"
         if not hecho.exists() or hecho.stat().st_mtime < origen.stat().st_mtime:
-            hecho.write_bytes(zlib.compress(origen.read_bytes(), 9))
+            hecho.write_bytes(comprime(origen.read_bytes()))
         return hecho.read_bytes()
 
     def ficheros(self):
