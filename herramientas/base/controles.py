@@ -99,7 +99,8 @@ def atiende(build, programa, guion="", **entorno):
     """De qué se entera tras ese guion: lo que dice -rasgos de él, y las opciones de sus menús, salvo la que lo
     termina."""
     raices = {"LAB_RAIZ": ":".join(map(str, programa.raices))} if programa.raices else {}
-    orden = [programa.ejecutable(build), "-guion", guion, "-rasgos"]
+    dos = programa.ejecutable(build), programa.ejecutable(build, "egl")  # dicen lo mismo: el que esté compilado
+    orden = [next((e for e in dos if e.exists()), dos[0]), "-guion", guion, "-rasgos"]
     with tempfile.TemporaryDirectory() as carpeta:
         dice = ejecuta(orden, cwd=carpeta, text=True, env={**os.environ, **raices, **entorno})
     rasgos = {linea for linea in dice.splitlines() if not linea.startswith("opcion ")}
