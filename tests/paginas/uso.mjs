@@ -132,6 +132,12 @@ const entradas = {
       await p.abre(await p.da(() => location.hash));
       assert.deepEqual(await ve(), antes, enlace);
     }
+    await p.abre('#grua');
+    const [, , alEmpezar] = await ve();
+    await p.da(() => escena.manda('tecla d'));
+    await p.da(() => una('.enlace').click());
+    await p.va('#grua');
+    await p.acaba('y el del índice empieza de nuevo', alEmpezar => una('.estado').textContent === alEmpezar, alEmpezar);
   },
 };
 
