@@ -16,7 +16,7 @@
 #include "trazo.h"
 #include "ventana.h"
 
-static const float RADIO_PX = 450; // el semieje mayor, donde más cerca está, en una pantalla de 1080 líneas
+static const float RADIO_PX = 525; // el semieje mayor, donde más cerca está, en una pantalla de 1080 líneas
 
 static struct {
     GLuint programa;

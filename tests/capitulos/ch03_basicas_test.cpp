@@ -211,7 +211,7 @@ TEST(Cono, SiluetaDeCadaPaso) {
 }
 
 TEST(Elipsoide, SiluetaDeCadaPaso) {
-    compruebaPasos("elipsoide", {-0.5, 18, {0.5, 1.3, 0.8}}, {esfera, esfera(segmentos(450, 0.25))},
+    compruebaPasos("elipsoide", {-0.5, 15.5, {0.9, 1.3, 0.8}}, {esfera, esfera(segmentos(525, 0.25))},
                    {escala({0.5, 0.5, 3}), traslada({0, 0, 3}), gira(X, -std::asin(std::sqrt(1 / 3.0))),
                     gira(Y, PI / 4)});
 }
