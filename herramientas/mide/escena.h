@@ -53,7 +53,7 @@ inline oraculo::ImagenRef trazaEsfera(const Framebuffer &framebuffer, double rad
         [](const oraculo::Impacto &i) { return i ? phongExacto(i.punto, i.normal) : exacto(FONDO); });
 }
 
-/// Raíz del error cuadrático medio, en niveles, donde la referencia ve algo casi de frente: el contorno se juzga aparte.
+/// Raíz del error cuadrático medio, en niveles, donde se ve algo casi de frente: el contorno se juzga aparte.
 inline double errorDeFrente(const Imagen &gpu, const oraculo::ImagenRef &ref) {
     double suma = 0;
     int n = 0;
