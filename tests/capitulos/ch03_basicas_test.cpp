@@ -206,7 +206,8 @@ void compruebaPasos(const std::string &programa, const Encuadre &encuadre, const
 }
 
 TEST(Cono, SiluetaDeCadaPaso) {
-    compruebaPasos("cono", {0.6, 9, {1.15, -0.1, 0}}, {cono, porCaras(cono(segmentos(300, 0.5)))},
+    const auto fino = [](const Mat4 &M) { return malla(M, cono(2000)); };
+    compruebaPasos("cono", {0.6, 9, {1.15, -0.1, 0}}, {fino, porCaras(cono(segmentos(300, 0.5)))},
                    {traslada({0, 0, -1}), escala({1, 1, 3}), gira(Y, -PI / 2)});
 }
 
