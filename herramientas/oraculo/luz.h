@@ -1,4 +1,4 @@
-// Modelo de Phong (ecuaciones 5.1 a 5.7).
+// Modelo de Phong (ecuaciones 5.1 a 5.7) y sombras.
 #pragma once
 #include "solidos.h"
 #include <algorithm>
@@ -59,6 +59,16 @@ inline Vec3 phong(const Material &m, const Vec3 &La, const std::vector<Luz> &luc
     for (const Luz &luz : luces)
         color = color + difusaYEspecular(m, luz, p, N, V);
     return color;
+}
+
+/// Si algo de `tapan` se interpone entre p y la luz.
+inline bool enSombra(const Escena &tapan, const Vec3 &p, const Luz &luz) {
+    const Rayo r = rayoDesde(p, haciaLuz(luz, p), luz.w == 0 ? INFINITO : longitud(luz.posicion - p));
+    return std::any_of(tapan.begin(), tapan.end(), [&](const Objeto &o) {
+        Corte c;
+        c.t = r.maximo;
+        return corta(o, r, c);
+    });
 }
 
 } // namespace oraculo
