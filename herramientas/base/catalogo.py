@@ -3,10 +3,8 @@ de su capítulo, en el orden del libro; cuáles son, en su clase (dice). Solo se
 que sale de ellos, y de ahí lo toman los demás. Un programa es chNN_…/nombre.cpp; su caso «base» da la imagen
 <programa>, y los otros, <programa>-<nombre>.
 
-catalogo.py BUILD escribe RAÍZ    BUILD/catalogo.json, lo que leen las herramientas; BUILD/catalogo.cmake, qué programas
-                                  hay, y BUILD/casos/PROGRAMA.sh, lo que de cada caso necesitan las pruebas
-catalogo.py BUILD cumple QUÉ…     de cada caso que se nombra (grua, grua-girada), o de todos, lo que cumple su imagen:
-                                  capítulo, programa, imagen y afirmaciones, entre tabuladores
+catalogo.py BUILD RAÍZ escribe BUILD/catalogo.json, lo que leen las herramientas; BUILD/catalogo.cmake, qué programas
+hay, y BUILD/casos/PROGRAMA.sh, lo que de cada caso necesitan las pruebas.
 """
 import difflib
 import json
@@ -250,7 +248,8 @@ def cambia(fichero, texto):
         escribe(fichero, texto)
 
 
-def escribe_todo(raiz, build):
+def main():
+    build, raiz = map(Path, sys.argv[1:])
     cambia(build / "catalogo.json", json.dumps(lee_capitulos(raiz), ensure_ascii=False, indent=1) + "\n")
     programas = lee_programas(build)
     con_ventana = [p for p in programas if not p.consola]
@@ -314,14 +313,6 @@ def elegidos(programas, pedidos):
     """Los casos que se nombran, o todos."""
     todos = [c for p in programas if not p.consola for c in p.casos]
     return [c for pedido in pedidos for c in casos(programas, pedido)] or todos
-
-
-def main():
-    build, orden, *resto = sys.argv[1:]
-    if orden == "escribe":
-        return escribe_todo(Path(*resto), Path(build))
-    for caso in elegidos(lee_programas(build), resto):
-        print(caso.programa.capitulo.nombre, caso.programa.nombre, caso.fichero, *caso.cumple, sep="\t")
 
 
 if __name__ == "__main__":

@@ -71,7 +71,7 @@ macro(lee_capitulos)
   busca(catalogos ch*/catalogo.toml)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${catalogos} herramientas/base/catalogo.py)
   execute_process(RESULT_VARIABLE mal ERROR_VARIABLE dice
-    COMMAND "${PYTHON}" -B "${CMAKE_SOURCE_DIR}/herramientas" base.catalogo "${CMAKE_BINARY_DIR}" escribe "${CMAKE_SOURCE_DIR}")
+    COMMAND "${PYTHON}" -B "${CMAKE_SOURCE_DIR}/herramientas" base.catalogo "${CMAKE_BINARY_DIR}" "${CMAKE_SOURCE_DIR}")
   if(mal)
     message(FATAL_ERROR "${dice}")
   endif()

@@ -9,10 +9,9 @@ namespace oraculo {
 /// Un sólido en sus coordenadas y la transformación afín que lo lleva al mundo. Una que aplasta no sirve: lo
 /// aplastado es un plano.
 struct Objeto {
-    enum Forma { ESFERA, CAJA, CILINDRO, CONO, TORO, PLANO, MALLA };
+    enum Forma { ESFERA, CAJA, CILINDRO, PLANO, MALLA };
     Forma forma;
     Mat4 M, inv;
-    double radio = 0, radioTubo = 0; // toro
     std::shared_ptr<const Triangulos> triangulos;
 
     Objeto(Forma laForma, const Mat4 &laM) : forma(laForma), M(laM), inv(inversa(laM)) {
@@ -29,17 +28,8 @@ inline Objeto caja(const Mat4 &M) { // lado 1, centrada
 inline Objeto cilindro(const Mat4 &M) { // radio 1, z de −0.5 a 0.5, con tapas
     return {Objeto::CILINDRO, M};
 }
-inline Objeto cono(const Mat4 &M) { // base de radio 1 en z = 0, vértice en z = 1, con tapa
-    return {Objeto::CONO, M};
-}
 inline Objeto plano(const Mat4 &M) { // lado 1 en XY, normal +Z
     return {Objeto::PLANO, M};
-}
-inline Objeto toro(const Mat4 &M, double radio, double radioTubo) { // anillo en el plano XY
-    Objeto o{Objeto::TORO, M};
-    o.radio = radio;
-    o.radioTubo = radioTubo;
-    return o;
 }
 inline Objeto malla(const Mat4 &M, std::vector<VerticeRef> vertices,
                     std::vector<Triangulos::Indices> indices) {
@@ -71,39 +61,6 @@ inline Objeto triangulo(const Vec3 &a, const Vec3 &b, const Vec3 &c) {
 inline std::array<double, 2> raices(double a, double b, double c) {
     const double q = -(b + std::copysign(std::sqrt(b * b - a * c), b));
     return {q / a, c / q};
-}
-
-/// Raíces de p[0] + p[1]·t + p[2]·t² + … en [desde, hasta], de menor a mayor. Entre dos raíces seguidas de la
-/// derivada el polinomio es monótono: basta bisecar donde cambia de signo. No ve las raíces dobles: son los
-/// rayos tangentes, que no entran en el sólido.
-template<std::size_t N>
-std::vector<double> raicesPolinomio(const std::array<double, N> &p, double desde, double hasta) {
-    std::vector<double> encontradas;
-    if constexpr (N > 1) {
-        std::array<double, N - 1> derivada;
-        for (std::size_t i = 1; i < N; ++i)
-            derivada[i - 1] = double(i) * p[i];
-        const auto negativo = [&](double t) {
-            double v = 0;
-            for (std::size_t i = N; i-- > 0;)
-                v = v * t + p[i];
-            return v < 0;
-        };
-        std::vector<double> extremos = raicesPolinomio(derivada, desde, hasta);
-        extremos.push_back(hasta);
-        double a = desde;
-        for (double siguiente : extremos) {
-            const bool empieza = negativo(a);
-            double b = siguiente;
-            if (negativo(b) != empieza) {
-                for (int i = 0; i < 60; ++i)
-                    (negativo(0.5 * (a + b)) == empieza ? a : b) = 0.5 * (a + b);
-                encontradas.push_back(0.5 * (a + b));
-            }
-            a = siguiente;
-        }
-    }
-    return encontradas;
 }
 
 /// Un rayo en las coordenadas de un objeto, y el corte más cercano que se le encuentra.
@@ -144,19 +101,6 @@ struct RayoLocal {
         if (std::fabs(en(t).x) <= 0.5 && std::fabs(en(t).y) <= 0.5)
             propon(t);
     }
-    /// (|p|² + R² − r²)² = 4·R²·(x² + y²), dentro de la esfera de radio R + r.
-    void toro(double R, double r) {
-        const double alcance2 = std::pow(R + r, 2) - escalar(o, o);
-        if (alcance2 <= 0)
-            return;
-        const double a = escalar(d, d), k = escalar(o, o) + R * R - r * r, RR = 4 * R * R,
-                     alcance = 1.001 * std::sqrt(alcance2 / a);
-        const std::array<double, 5> p = {k * k - RR * (o.x * o.x + o.y * o.y),
-                                         -2 * RR * (o.x * d.x + o.y * d.y),
-                                         2 * a * k - RR * (d.x * d.x + d.y * d.y), 0, a * a};
-        for (const double t : raicesPolinomio(p, -alcance, alcance))
-            propon(t);
-    }
 };
 
 /// Mejora `c` con los cortes del objeto y el rayo (en el mundo) que estén más cerca; devuelve si hay alguno.
@@ -177,13 +121,6 @@ inline bool corta(const Objeto &objeto, const Rayo &rayo, Corte &c) {
         r.tapa(-0.5, 1);
         r.tapa(0.5, 2);
         break;
-    case Objeto::CONO: { // x² + y² = (1 − z)²
-        const double h = 1 - o.z;
-        r.lado(raices(axy - d.z * d.z, bxy + h * d.z, cxy - h * h), 0, 1);
-        r.tapa(0, 1);
-        break;
-    }
-    case Objeto::TORO: r.toro(objeto.radio, objeto.radioTubo); break;
     case Objeto::PLANO: r.plano(); break;
     case Objeto::MALLA: objeto.triangulos->corta(o, d, r.minimo, r.corte); break;
     }
@@ -204,7 +141,7 @@ struct Impacto {
     Vec3 normalCara;      // igual, salvo en una malla: la del triángulo
     bool frente = true;   // se ve la cara de fuera
     double s = 0, t = 0;  // coordenadas de textura de common/malla.h, sin el error de sus facetas
-    /// cara: de 0 a 5 en la caja (−x +x −y +y −z +z); en cilindro y cono, 0 el lado, 1 la tapa de abajo y 2
+    /// cara: de 0 a 5 en la caja (−x +x −y +y −z +z); en el cilindro, 0 el lado, 1 la tapa de abajo y 2
     /// la de arriba; la zona en una malla. Con triangulo, b1 y b2 se interpola lo que se quiera sobre la
     /// malla.
     Corte corte;
@@ -223,14 +160,14 @@ inline double vuelta(double x, double y) {
 /// Pone en `i` la normal (sin normalizar) y las coordenadas de textura de p, todo en coordenadas del objeto.
 inline void superficie(const Objeto &objeto, const Vec3 &p, Impacto &i) {
     const int cara = i.corte.cara;
-    const double rho = std::hypot(p.x, p.y), signo = cara % 2 ? 1 : -1;
+    const double signo = cara % 2 ? 1 : -1;
     const auto pon = [&](const Vec3 &normal, double s, double t) {
         i.normal = i.normalCara = normal;
         i.s = s;
         i.t = t;
     };
     switch (objeto.forma) {
-    case Objeto::ESFERA: pon(p, vuelta(p.x, p.y), std::atan2(rho, -p.z) / PI); break;
+    case Objeto::ESFERA: pon(p, vuelta(p.x, p.y), std::atan2(std::hypot(p.x, p.y), -p.z) / PI); break;
     case Objeto::CAJA: {
         const int eje = cara / 2;
         pon({eje == 0 ? signo : 0, eje == 1 ? signo : 0, eje == 2 ? signo : 0}, p[(eje + 1) % 3] + 0.5,
@@ -238,16 +175,10 @@ inline void superficie(const Objeto &objeto, const Vec3 &p, Impacto &i) {
         break;
     }
     case Objeto::CILINDRO:
-    case Objeto::CONO:
         if (cara)
             pon({0, 0, -signo}, 0.5 + 0.5 * p.x, 0.5 + 0.5 * p.y);
-        else if (objeto.forma == Objeto::CILINDRO)
-            pon({p.x, p.y, 0}, vuelta(p.x, p.y), p.z + 0.5);
         else
-            pon({p.x, p.y, rho}, vuelta(p.x, p.y), p.z);
-        break;
-    case Objeto::TORO:
-        pon(p - (objeto.radio / rho) * Vec3{p.x, p.y, 0}, vuelta(p.x, p.y), vuelta(rho - objeto.radio, p.z));
+            pon({p.x, p.y, 0}, vuelta(p.x, p.y), p.z + 0.5);
         break;
     case Objeto::PLANO: pon({0, 0, 1}, p.x + 0.5, p.y + 0.5); break;
     case Objeto::MALLA: {

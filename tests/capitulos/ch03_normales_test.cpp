@@ -1,7 +1,4 @@
-// La matriz que transforma las normales (§3.3) y lo que dibuja normales. Las escalas difíciles, los ejes aplastados y
-// las reflexiones, una a una, están en dificil_transformaciones_test.cpp.
-#include "azar.h"
-#include "ch03_transformaciones/transformaciones.h"
+// Lo que dibuja normales. La matriz que las transforma (§3.3), sola, está en dificil_transformaciones_test.cpp.
 #include "colores.h"
 #include "guiones.h"
 #include "panel.h"
@@ -10,54 +7,8 @@
 namespace {
 
 using namespace oraculo;
-using glm::dmat3;
-using glm::dvec3;
 
-const double U = 0x1p-24; // el redondeo de float
 const Vec3 COLOR{0.72, 0.82, 0.97};
-
-/// Matriz afín cualquiera: componentes de −1 a 1 y cada columna por una potencia de 10 de −decadas a decadas.
-glm::mat4 afin(Azar &azar, float decadas) {
-    glm::mat4 M(1);
-    for (int j = 0; j < 3; ++j)
-        M[j] = glm::vec4(std::pow(10.0f, azar.entre(-decadas, decadas)) * azar.vector(1), 0);
-    M[3] = glm::vec4(azar.vector(100), 1);
-    return M;
-}
-
-/// La traspuesta de la adjunta, como la da el libro.
-dmat3 adjunta(const dmat3 &m) {
-    return {glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1])};
-}
-
-// Los menores se calculan en doble con productos exactos (24 + 24 bits) y una sola resta, así que cada componente de N
-// llega bien salvo el redondeo final a float: |δN| ≤ u·|N|. Una normal cualquiera es una combinación de las columnas:
-// el redondeo de cada una cuenta entero, y al cancelarse deja |n·t| ≤ u·‖|N||n₀|‖/‖N·n₀‖ (más el de multiplicar, aquí
-// en doble). Da igual lo mal condicionada que esté M.
-//
-// La adjunta del libro es det(M)·M⁻ᵀ: con det(M) < 0 mira hacia dentro. «Fuera» se decide sin normales: hacia donde va,
-// transformado, un punto que estaba delante de la cara.
-TEST(MatrizNormal, CualquierCaraPerpendicularYHaciaFuera) {
-    Azar azar(2);
-    int negativos = 0;
-    for (const float decadas : {0.0f, 1.0f, 2.0f, 10.0f})
-        for (int k = 0; k < 20000; ++k) {
-            const glm::mat4 M = afin(azar, decadas);
-            const dmat3 N(matrizNormal(M)), m(M);
-            const dvec3 n0(azar.vector(1)), otro(azar.vector(1)),
-                n = N * n0, fuera = m * n0, t = glm::normalize(m * glm::cross(n0, otro)),
-                sinSigno = glm::abs(N[0] * n0.x) + glm::abs(N[1] * n0.y) + glm::abs(N[2] * n0.z);
-            ASSERT_LE(std::fabs(glm::dot(n, t)), 1.001 * U * glm::length(sinSigno)) << decadas << ", " << k;
-            const double det = glm::determinant(m),
-                         relativo = det / (glm::length(m[0]) * glm::length(m[1]) * glm::length(m[2]));
-            if (decadas > 2 || std::fabs(relativo) < 1e-6)
-                continue; // casi plana: el volumen cambia de signo con el redondeo
-            ASSERT_GT(glm::dot(n, fuera), 0) << decadas << ", " << k << ", det " << det;
-            ASSERT_EQ(glm::dot(adjunta(m) * n0, fuera) > 0, det > 0) << decadas << ", " << k;
-            negativos += det < 0;
-        }
-    EXPECT_GT(negativos, 27000);
-}
 
 struct CasoNormales {
     std::string guion;

@@ -15,7 +15,7 @@ Camara camaraObjetos(double azimut = 0.25, double elevacion = 0.32, double dista
     return perspectiva(orbita(azimut, elevacion, distancia, {-0.05, 1.5, 0}), 0.5, 1, 60);
 }
 
-/// Con n > 0, mallas de n segmentos (el toro, m en el tubo); si no, los sólidos exactos.
+/// Con n > 0, mallas de n segmentos (el toro, m en el tubo); si no, esferas exactas y toros muy finos.
 struct Taller {
     int n, m;
     std::vector<Cuerpo> cuerpos;
@@ -30,7 +30,7 @@ struct Taller {
     /// Alrededor de Z: `radio` hasta el centro del tubo, que mide 0.35·radio, y 0.35·alto a lo largo del eje.
     void anillo(const Mat4 &sitio, double radio, double alto, const Vec3 &color) {
         const Mat4 M = sitio * escala({radio, radio, alto});
-        cuerpos.push_back({n ? malla(M, toro(1, 0.35f, n, m)) : toro(M, 1, 0.35), color});
+        cuerpos.push_back({malla(M, n ? toro(1, 0.35f, n, m) : toro(1, 0.35f, 180, 110)), color});
     }
 };
 

@@ -4,7 +4,6 @@
 #include "panel.h"
 
 using Largo = long double; // con 11 bits más que double, sus redondeos no cuentan
-using Vec3Largo = glm::vec<3, Largo>;
 using Mat4Largo = glm::mat<4, 4, Largo>;
 const double U_DOBLE = 0x1p-53; // error de un redondeo
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# casos.sh BUILD ENLACE [PROGRAMA [CASO]]: prueba los casos de un programa, o solo ese, que el catálogo deja en
+# casos.sh BUILD ENLACE PROGRAMA [CASO]: prueba los casos de un programa, o solo ese, que el catálogo deja en
 # BUILD/casos/PROGRAMA.sh. ENLACE dice cómo:
 #   osmesa, egl       dibujado con ese destino sin ventana y comparado con su golden: la imagen; en un .txt, los títulos
 #                     que pone y lo que escribe; y en un .encima, lo que pinta encima (common/encima/encima.h), que no
@@ -13,23 +13,16 @@
 #   pasos             lo que pinta encima tras cada línea de tests/golden/CAPÍTULO/PROGRAMA.pasos, que son órdenes de un
 #                     guion y siguen a las de antes, es lo de PROGRAMA-pasos.encima. La ventana es de 480x360, o de lo
 #                     que diga un «# talla ANCHOxALTO»
-#   pies              lo que el catálogo dice que cumple cada caso es así en su golden, y no en los demás del programa
-#                     (pies.cpp); sin PROGRAMA, los de todos
 #   ventana, windows  en una ventana de verdad (ventana.sh)
 # El programa debe acabar con 0 y no escribir nada en stderr. Las imágenes de lo que falla quedan en BUILD/fallos/. Con
 # DORA, lo que sale pasa a ser el golden; con GOLDEN, en esa carpeta, que tiene los de antes. Estado: 0 bien, 4 si es
 # distinto lo que pinta encima, aunque no sea lo único; 1 lo demás.
 # shellcheck disable=SC1090,SC2317 # lo de caso lo llama BUILD/casos/PROGRAMA.sh
 set -euo pipefail
-build=$1 enlace=$2 programa=${3:-} pedido=${4:-} destino=$2 opengl='' estado=0 probados=0 con=()
+build=$1 enlace=$2 programa=$3 pedido=${4:-} destino=$2 opengl='' estado=0 probados=0 con=()
 aqui=$(cd "$(dirname "$0")" && pwd)
 goldens=${GOLDEN:-$aqui/../golden} compara=$build/herramientas/comparador/compara
 carpeta=$(mktemp -d)
-if [ "$enlace" = pies ]; then
-  "${PYTHON:-python3}" -B "$aqui/../../herramientas" base.catalogo "$build" cumple ${programa:+"$programa"} |
-    "$build/tests/pies" "$goldens"
-  exit
-fi
 source "$aqui/../ventana/pantalla.sh"
 acaba() {
   kill ${pid:+"$pid"} ${servidor:+"$servidor"} 2>/dev/null || true

@@ -1,6 +1,7 @@
-// Casos difíciles de las curvas y superficies (capítulo 11), contra la doble precisión extendida.
-#include "ch11_curvas/superficies.h"
+// Casos difíciles de las curvas (capítulo 11), contra la doble precisión extendida.
+#include "ch11_curvas/curvas.h"
 #include "cota.h"
+#include <limits>
 
 namespace {
 
@@ -48,10 +49,6 @@ const Cotas GRADO_N([] {
                    [](int n) { return errorDeBernstein<float>(n, U_FLOAT); });
     acotaCada<int>("BezierN", "bernstein_doble_grado_*", grados, porNivel, "u relativos",
                    [](int n) { return errorDeBernstein<double>(n, U_DOBLE); });
-    acotaCada<int>("BezierN", "extremos_exactos_grado_*", grados, 0, "unidades", [](int n) {
-        const std::vector<Punto<float>> P = puntos(n);
-        return mayor(lejos(bezier(P, 0.0f), P.front()), lejos(bezier(P, 1.0f), P.back()));
-    });
 });
 
 // --- cúbicas ---
@@ -73,16 +70,6 @@ double corre(Base base, float salto, int derivada) {
 const Cotas CUBICAS([] {
     const std::vector<Con<Base>> bases = {
         {"hermite", Base::HERMITE}, {"bezier", Base::BEZIER}, {"bspline", Base::BSPLINE}};
-    const auto cotaDelExtremo = [](Base base) { return base == Base::BSPLINE ? 8 * U_FLOAT : 0; };
-    acotaCada<Base>("Cubica", "*_en_u_0", bases, cotaDelExtremo, "unidades", [](Base base) {
-        return lejos(cubica(base, G, 0.0f),
-                     base == Base::BSPLINE ? (G[0] + 4.0f * G[1] + G[2]) / 6.0f : G[0]);
-    });
-    acotaCada<Base>("Cubica", "*_en_u_1", bases, cotaDelExtremo, "unidades", [](Base base) {
-        return lejos(cubica(base, G, 1.0f), base == Base::HERMITE  ? G[1]
-                                            : base == Base::BEZIER ? G[3]
-                                                                   : (G[1] + 4.0f * G[2] + G[3]) / 6.0f);
-    });
     // los cuatro, el mismo punto (o sin tangentes): la curva es ese punto, y no se mueve
     acotaCada<Base>("Cubica", "*_puntos_coincidentes", bases, 4 * 4 * U_FLOAT, "unidades", [](Base base) {
         const Punto<float> P(1.5f, -2.25f, 3), otro = base == Base::HERMITE ? CERO : P;
@@ -98,15 +85,6 @@ const Cotas CUBICAS([] {
     for (const int derivada : {1, 2})
         acotaCada<Base>("Cubica", "*_derivada_" + std::to_string(derivada) + "_de_puntos_a_2a20", bases, 0,
                         "unidades", [=](Base base) { return corre(base, 1048576, derivada); });
-    const Geometria<float> parada = {G[0], G[1], CERO, CERO};
-    acota("Cubica", "hermite_tangentes_nulas", 0, "velocidad en los extremos", [=] {
-        return peorDe({0.0f, 1.0f},
-                      [&](float u) { return lejos(cubica(Base::HERMITE, parada, u, 1), CERO); });
-    });
-    acota("Cubica", "curvatura_donde_se_para", 0, "curvatura", [=] {
-        return lejos(
-            curvatura(cubica(Base::HERMITE, parada, 0.0f, 1), cubica(Base::HERMITE, parada, 0.0f, 2)), CERO);
-    });
     // C2 en los nudos: u = 1 de un tramo y u = 0 del siguiente
     acotaCada<int>("Cubica", "bspline_nudo_derivada_*", {0, 1, 2}, 64 * U_FLOAT, "unidades",
                    [](int derivada) {
@@ -116,31 +94,6 @@ const Cotas CUBICAS([] {
                                         cubica(Base::BSPLINE, geometriaBSpline(P, t + 1), 0.0f, derivada));
                        });
                    });
-});
-
-// --- superficies ---
-
-const Cotas SUPERFICIES([] {
-    struct Trozo {
-        float talla;
-        Punto<float> (*punto)(int i, int j);
-    };
-    const auto ondulado = [](int i, int j) { return Punto<float>(i, j, i * j % 3); };
-    acotaCada<Trozo>("Superficie", "*",
-                     {{"un_solo_punto", {1, [](int, int) { return Punto<float>(1, 2, 3); }}},
-                      {"una_recta", {1, [](int i, int j) { return Punto<float>(float(i + j)); }}},
-                      {"de_talla_1em15", {1e-15f, ondulado}},
-                      {"de_talla_1e15", {1e15f, ondulado}}},
-                     8 * U_FLOAT, "|n| − 1", [](const Trozo &trozo) {
-                         Geometria2<float> g;
-                         for (int k = 0; k < 16; ++k)
-                             g[k / 4][k % 4] = trozo.talla * trozo.punto(k / 4, k % 4);
-                         return peorHasta(17 * 17, [&](int k) {
-                             const glm::dvec3 n(
-                                 normalSuperficie(Base::BEZIER, g, float(k / 17) / 16, float(k % 17) / 16));
-                             return std::fabs(glm::length(n) - 1);
-                         });
-                     });
 });
 
 } // namespace

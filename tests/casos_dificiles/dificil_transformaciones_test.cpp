@@ -191,6 +191,17 @@ const Cotas NORMALES([] {
         "MatrizNormal", "aplastada_en_*", {{"una_recta", {1, 0, 0}}, {"un_punto", glm::vec3(0)}}, 0,
         "mayor componente",
         [](const glm::vec3 &s) { return mayorComponente(matrizNormal(INCLINADA * escalado(s))); });
+    // Cada cofactor son productos exactos en doble y una resta: llega bien salvo el redondeo a float, |δN| ≤ u·|N|,
+    // por mal condicionada que esté M. La mitad reflejan, y ahí la traspuesta de la adjunta mira hacia dentro.
+    acotaCada<float>("MatrizNormal", "al_azar_con_decadas_*", {0, 1, 2, 5}, 1.001, "u", [](float decadas) {
+        Azar azar(2);
+        return peorHasta(20000, [&](int) {
+            glm::mat4 M(1);
+            for (int j = 0; j < 3; ++j)
+                M[j] = glm::vec4(std::pow(10.0f, azar.entre(-decadas, decadas)) * azar.vector(1), 0);
+            return torcida(M);
+        });
+    });
     // se escala por la mayor componente: la columna menor de N queda en 1e-36, que aún es un float normal
     acota("MatrizNormal", "columnas_de_1e18_a_1em18", 1.001, "u", [] {
         return torcida(INCLINADA * escalado({1e18f, 1, 1e-18f}));

@@ -92,7 +92,7 @@ TEST(Comparar, LaBandaVeLosBordesDeUnMismoObjeto) {
             }
         return n;
     };
-    EXPECT_GT(bordesDentro(toro(gira({0, 1, 0}, 1.8), 1, 0.4)), 20);
+    EXPECT_GT(bordesDentro(malla(gira({0, 1, 0}, 1.8), toro(1, 0.4f, 128, 64))), 20);
     EXPECT_GT(bordesDentro(caja(escala(1.5))), 40);
     EXPECT_GT(bordesDentro(malla(escala(1.5), cubo())), 40);
     EXPECT_LT(bordesDentro(esfera(Mat4{})), 20);

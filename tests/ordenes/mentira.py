@@ -35,18 +35,6 @@ def ejecutable(fichero, guion):
     fichero.chmod(0o755)
 
 
-def programa(nombre, ref, titulo, capitulo="ch01_uno", **mas):
-    """Su fila del catálogo."""
-    nada = dict.fromkeys(("contra", "pruebas", "pasa", "admite", "consola"), "")
-    return {**nada, "capitulo": capitulo, "nombre": nombre, "ref": ref, "titulo": titulo, **mas}
-
-
-def caso(programa, nombre="base", **mas):
-    nada = dict.fromkeys(("guion", "tolerancia", "borde", "anima"), "")
-    fichero = programa if nombre == "base" else f"{programa}-{nombre}"
-    return {**nada, "mira": "M", "programa": programa, "nombre": nombre, "fichero": fichero, **mas}
-
-
 def faltan(texto, *partes):
     """Las que no están en él."""
     return [parte for parte in partes if parte not in texto]

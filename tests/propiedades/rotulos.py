@@ -11,13 +11,14 @@ from vista import en_formas
 # escala y no las más pequeñas que se leen.
 FORMAS = [(360, 270), (480, 270), (360, 405), (400, 900)]
 TECLAS = 3  # al azar, si no se piden todas
-COLORES = Path(__file__).parents[2] / "common/encima/colores.h"
 INTERLINEA, BAJO = 1.5, 0.3  # en altos de mayúscula (common/encima/rotulo.cpp)
-# De common/encima/colores.h, y el que no es de ningún objeto donde el color dice cuál es.
-FONDOS = ((0, 0, 0),) + tuple(
-    tuple(int(255 * float(c) + 0.5) for c in re.findall(r"[\d.]+", colores))
-    for colores in re.findall(r"(?:FONDO_CLARO|FONDO_OSCURO|CIELO|GRIS)\((.*?)\)", COLORES.read_text())
-)
+# Los de common/encima/colores.h, y el que no es de ningún objeto donde el color dice cuál es.
+PALETA = (Path(__file__).parents[2] / "common/encima/colores.h").read_text()
+COLORES = {"NEGRO": (0, 0, 0)} | {
+    nombre: tuple(int(255 * float(c) + 0.5) for c in re.findall(r"[\d.]+", rgb))
+    for nombre, rgb in re.findall(r"([A-Z_]+)\(([\d.f, ]+)\)", PALETA)
+}
+FONDOS = tuple(COLORES[fondo] for fondo in "NEGRO FONDO_CLARO FONDO_OSCURO CIELO GRIS".split())
 TAPA = 40  # de cada cien, más de lo que tapa en las imágenes que se han mirado
 
 

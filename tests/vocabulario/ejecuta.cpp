@@ -144,7 +144,6 @@ Ejecucion ejecutaEn(const fs::path &carpeta, const std::string &entorno, const s
     ultimoPrograma = programa.substr(programa.rfind('/') + 1);
     testing::Test::RecordProperty("ejecuta_" + ultimoPrograma, 1);
     const std::string ruta = ejecutable(programa);
-    std::ofstream(std::getenv("LAB_LEIDOS"), std::ios::app) << ruta << '\n'; // para ./lab prueba --cambios
     std::string orden = "cd " + entreComillas(carpeta.string()) + " && " + entorno + " " +
                         entreComillas(ruta) + " -geometry " + std::to_string(ancho) + "x" +
                         std::to_string(alto) + " -ppm imagen.ppm";
