@@ -53,20 +53,26 @@ inline oraculo::ImagenRef trazaEsfera(const Framebuffer &framebuffer, double rad
         [](const oraculo::Impacto &i) { return i ? phongExacto(i.punto, i.normal) : exacto(FONDO); });
 }
 
-/// Raíz del error cuadrático medio, en niveles, donde se ve algo casi de frente: el contorno se juzga aparte.
-inline double errorDeFrente(const Imagen &gpu, const oraculo::ImagenRef &ref) {
+/// Raíz del error cuadrático medio, en niveles, de los píxeles que cuentan.
+inline double errorDonde(const Imagen &gpu, const oraculo::ImagenRef &ref,
+                         const std::function<bool(int x, int y)> &cuenta) {
     double suma = 0;
     int n = 0;
     for (int y = 0; y < ref.alto; ++y)
-        for (int x = 0; x < ref.ancho; ++x) {
-            const oraculo::PixelRef &p = ref.en(x, y);
-            if (p.objeto >= 0 &&
-                oraculo::escalar(p.normal, oraculo::unitario(exacto(OJO) - p.punto)) >= 0.5) {
-                suma += std::pow(oraculo::diferencia(gpu, x, y, p.color), 2);
+        for (int x = 0; x < ref.ancho; ++x)
+            if (cuenta(x, y)) {
+                suma += std::pow(oraculo::diferencia(gpu, x, y, ref.en(x, y).color), 2);
                 ++n;
             }
-        }
     return std::sqrt(suma / n);
+}
+
+/// El de donde la referencia ve algo casi de frente: el contorno se juzga aparte.
+inline double errorDeFrente(const Imagen &gpu, const oraculo::ImagenRef &ref) {
+    return errorDonde(gpu, ref, [&](int x, int y) {
+        const oraculo::PixelRef &p = ref.en(x, y);
+        return p.objeto >= 0 && oraculo::escalar(p.normal, oraculo::unitario(exacto(OJO) - p.punto)) >= 0.5;
+    });
 }
 
 } // namespace mide
