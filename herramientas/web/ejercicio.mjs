@@ -1,9 +1,11 @@
-// Un ejercicio: el programa con el shader de quien lo hace y, al lado, el original. Lo que se hace con uno se hace con
-// el otro.
-import { Taller } from './almacen.mjs';
+// Un ejercicio: el programa con lo de quien lo hace, unos shaders o los ficheros de la carpeta de ./lab nuevo, y, al
+// lado, el original. Lo que se hace con uno se hace con el otro.
+import { deEjercicio, Taller } from './almacen.mjs';
 import { boton, crea, todos, una } from '../base/documento.mjs';
+import { haceZip } from './carpeta.mjs';
 import { recuerda } from './datos.mjs';
 import { guarda } from './descarga.mjs';
+import { esFuente, esShader } from './fuentes.mjs';
 import { BASTA, compara, pixeles, porciento } from './imagenes.mjs';
 import { arranca } from './programa.mjs';
 import { ponResueltos } from './resueltos.mjs';
@@ -22,41 +24,127 @@ function dictamina(texto, clase = '') {
   veredicto.className = `veredicto ${clase}`;
 }
 
+/// Lo de una carpeta, mientras no se ha compilado: un lienzo sin nada.
+function sinCompilar({ lienzo, ancho, alto }) {
+  Object.assign(lienzo, { width: ancho, height: alto });
+  return { lienzo, leidos: new Set(), vivo: true, fallo: false, vacio: true, escribe() {}, opciones: () => [],
+    cierra: () => lienzo.remove(),
+    orden: texto => {
+      const [, width, height] = texto.match(/^tamano (\d+) (\d+)/) ?? [];
+      if (width) Object.assign(lienzo, { width, height });
+    } };
+}
+
 export class Ejercicio {
   #escena;
   #empiezaCaso;
   #recien;    // se acaba de llegar: si lo de antes no vale en un caso, se empieza por él
   #revision;  // la última; se deja si se escribe otra cosa
   #pendiente; // una comparación
+  #resuelto = false; // lo escrito
   #objetivos = recuerda(caso => this.#imagenesDe(caso, {}));
 
   /// `datos` son los de EJERCICIOS; `empiezaCaso(caso)` lo cambia en la escena.
   constructor(datos, { escena, empiezaCaso, recien }) {
-    Object.assign(this, datos, { taller: new Taller('localStorage', `ejercicio ${datos.codigo}`, datos.codigo) });
+    Object.assign(this, datos);
+    this.taller = new Taller('localStorage', `ejercicio ${this.codigo}`, this.codigo, ruta => this.#enSuCapitulo(ruta));
     this.#escena = escena;
     this.#empiezaCaso = empiezaCaso;
     this.#recien = recien;
   }
 
-  /// Lo que se pide. `cambiaDeVista` enseña la solución u otra vez lo escrito, y dice si es la solución.
-  pon(cambiaDeVista) {
+  // --- sus ficheros: los de un ejercicio de shaders, en su sitio; los de una carpeta, en ella ---
+
+  /// Dónde está en el laboratorio lo que va en esa ruta.
+  #enSuCapitulo(ruta) { return this.carpeta ? ruta.replace(this.carpeta, this.programa.capitulo) : ruta; }
+
+  /// Y al revés: la del fichero de su carpeta de que habla un error.
+  rutaDe(ruta) {
+    const suya = `${this.carpeta}/${ruta.split('/').pop()}`;
+    return suya in this.pide ? suya : ruta;
+  }
+
+  /// El programa, como si estuviera en su carpeta.
+  get suyo() { return { ...this.programa, capitulo: this.carpeta ?? this.programa.capitulo }; }
+
+  /// Si lo escrito hay que compilarlo: no, mientras se pidan y se cambien solo shaders.
+  get seCompila() {
+    return Boolean(this.carpeta) && [...Object.keys(this.pide), ...this.taller.cambios.keys()].some(esFuente);
+  }
+
+  /// Lo que en el laboratorio no se ve, porque es lo que se pide: sin texto.
+  get queNoSeVe() {
+    return Object.fromEntries(Object.keys(this.pide).map(ruta => [this.#enSuCapitulo(ruta), undefined]));
+  }
+
+  /// Los que se compilan.
+  async fuentes() {
+    return Object.fromEntries(Object.entries(await this.taller.escritos()).filter(([ruta]) => esFuente(ruta)));
+  }
+
+  /// Lo escrito, en marcha; si hay que compilarlo, con lo compilado.
+  async arranca({ textos, compilado, ...como }) {
+    const escritos = await textos ?? await this.taller.textos();
+    if (!this.carpeta) return arranca(this.programa, { ...como, textos: escritos });
+    if (this.seCompila && !compilado) return sinCompilar(como);
+    const alias = this.seCompila ? () => ({}) : (ruta, texto) => ({ [`${this.carpeta}/${this.#enSuCapitulo(ruta)}`]: texto });
+    const otros = Object.assign({}, ...Object.entries(escritos).map(e => alias(...e)));
+    const sesion = await arranca(this.suyo, { ...como, ...this.seCompila && { compilado },
+      raices: [`/lab/${this.carpeta}`], textos: { ...this.queNoSeVe, ...escritos, ...otros } });
+    return Object.assign(Object.create(sesion), { escribe: (ruta, texto) => {
+      for (const e of Object.entries({ [ruta]: texto, ...alias(ruta, texto) })) sesion.escribe(...e);
+    } });
+  }
+
+  /// Otros, en lugar de lo escrito: los de una carpeta, con el nombre que tenga, o unos shaders.
+  async abre({ fuentes: { ...fuentes }, carpeta }) {
+    const principal = `${this.programa.nombre}.cpp`, otro = `${carpeta}.cpp`;
+    if (this.carpeta && !fuentes[principal] && fuentes[otro]) {
+      fuentes[principal] = fuentes[otro];
+      delete fuentes[otro];
+    }
+    const ruta = f => this.carpeta ? `${this.carpeta}/${f}` : Object.keys(this.pide).find(r => r.endsWith(`/${f}`));
+    const suyos = Object.entries(fuentes).filter(([f]) => ruta(f));
+    if (!suyos.length) throw new Error(`Ahí no está ${Object.keys(this.pide).map(r => r.split('/').pop()).join(', ')}.`);
+    this.taller.cambios.clear();
+    for (const [f, texto] of suyos) this.taller.apunta(ruta(f), texto, await this.taller.original(ruta(f)));
+  }
+
+  // --- lo que se ve ---
+
+  /// Lo que se pide. `cambiaDeVista` enseña la solución u otra vez lo escrito, y dice si es la solución; `corrige()` la
+  /// corrige.
+  pon(cambiaDeVista, corrige) {
     dictamina('');
     parecido.textContent = '…';
     for (const cuadro of todos('.cuadro')) cuadro.replaceChildren();
     const pide = Object.entries(this.pide).map(([fichero, que]) =>
       crea('p', { className: 'enunciado' }, crea('code', { textContent: fichero.split('/').pop() }), `: ${que}.`));
-    pide.push(crea('p', {}, 'Un número real lleva punto: 1.0 y no 1.'));
+    if (this.carpeta) {
+      const enunciado = crea('div', { className: 'enunciado' });
+      deEjercicio(this.codigo).then(datos => { enunciado.innerHTML = datos.enunciado; });
+      pide.unshift(enunciado, crea('p', {}, `Falta lo que va entre cada «// ${this.codigo}: …» y su «// fin de ${this.codigo}»:`));
+    }
+    if (Object.keys(this.pide).some(esShader)) pide.push(crea('p', {}, 'En un shader, un real lleva punto: 1.0 y no 1.'));
     const ver = boton('Ver la solución', async () => ver.setAttribute('aria-pressed', await cambiaDeVista()));
     ver.setAttribute('aria-pressed', false);
-    const descarga = boton('Descarga mi shader', () => this.descarga(), { className: 'descarga',
-      title: 'Lo que has escrito, para entregarlo: ./lab corrige lo corrige' });
-    una('.tarea').replaceChildren(crea('div', {}, ...pide), ver, descarga);
+    const descarga = boton(this.carpeta ? 'Descargar mi carpeta' : 'Descarga mi shader', () => this.descarga(), {
+      className: 'descarga', title: 'Lo que has escrito, para entregarlo: ./lab corrige lo corrige. Soltado en la página, se abre' });
+    una('.tarea').replaceChildren(crea('div', {}, ...pide),
+      boton('Corregir', corrige, { className: 'corrige', title: 'La nota que da ./lab corrige' }),
+      ...this.oculto ? [] : [ver], descarga);
+    una('.correccion').hidden = true;
   }
 
-  /// Lo escrito, cada shader con su nombre.
+  /// Lo escrito: cada shader, con su nombre, o la carpeta, en un .zip.
   async descarga() {
-    const textos = await this.taller.textos();
-    for (const ruta of Object.keys(this.pide)) guarda(new Blob([textos[ruta]]), ruta.split('/').pop());
+    const textos = await this.taller.escritos();
+    if (!this.carpeta)
+      return Object.keys(this.pide).forEach(ruta => guarda(new Blob([textos[ruta]]), ruta.split('/').pop()));
+    const { sueltos } = await deEjercicio(this.codigo), todos = { ...textos };
+    for (const [f, texto] of Object.entries(sueltos)) todos[`${this.carpeta}/${f}`] = texto;
+    const suyos = Object.entries(todos).map(([ruta, texto]) => [ruta.replace('mios/', ''), texto]);
+    guarda(haceZip(Object.fromEntries(suyos)), `${this.programa.nombre}.zip`);
   }
 
   deja() {
@@ -64,7 +152,7 @@ export class Ejercicio {
     clearTimeout(this.#pendiente);
   }
 
-  /// Un programa en marcha que son dos: el que se ve y el de los shaders originales.
+  /// Un programa en marcha que son dos: el que se ve y el original.
   async conObjetivo(suyo, opciones) {
     const { width: ancho, height: alto } = suyo.lienzo;
     const lienzo = crea('canvas', { role: 'img', ariaLabel: 'El objetivo' });
@@ -72,6 +160,7 @@ export class Ejercicio {
     const original = await arranca(this.programa, { lienzo, ancho, alto, ...opciones });
     return Object.assign(Object.create(suyo), {
       objetivo: lienzo,
+      opciones: () => (suyo.vacio ? original : suyo).opciones(),
       orden: texto => {
         suyo.orden(texto);
         if (texto !== 'especial F5') original.orden(texto);
@@ -90,6 +179,11 @@ export class Ejercicio {
     this.#pendiente = undefined;
     const { sesion, errores } = this.#escena;
     if (!sesion?.vivo) return;
+    if (sesion.vacio) {
+      parecido.textContent = '—';
+      una('.diferencia').replaceChildren();
+      return dictamina('Lo tuyo se ve al compilarlo: «Compilar», o Ctrl+Intro en el editor.');
+    }
     const { width, height } = sesion.lienzo, imagen = new ImageData(width, height);
     const parte = compara(pixeles(sesion.lienzo), pixeles(sesion.objetivo), imagen.data);
     const lienzo = crea('canvas', { width, height, role: 'img', ariaLabel: 'En qué se diferencian' });
@@ -97,6 +191,7 @@ export class Ejercicio {
     una('.diferencia').replaceChildren(lienzo);
     if (parecido.textContent !== porciento(parte)) parecido.textContent = porciento(parte);
     if (errores.length) dictamina('El shader tiene un error: la imagen es la de antes.', 'mal');
+    else if (parte >= BASTA && this.carpeta) this.#resuelto || dictamina('Lo que se ve coincide: «Corregir» mira lo demás.');
     else if (!this.#revision && parte >= BASTA) this.#revisa();
     else if (!this.#revision) dictamina('');
   }
@@ -148,9 +243,16 @@ export class Ejercicio {
     }
   }
 
+  /// Lo escrito saca 100.
+  resuelve() {
+    this.#resuelto = true;
+    ponResueltos(this.codigo);
+    dictamina('Resuelto.', 'bien');
+  }
+
   /// Lo escrito ha cambiado.
   olvidaRevision() {
-    this.#recien = false;
+    this.#recien = this.#resuelto = false;
     this.#revision = undefined;
     for (const b of todos('.casos-botones button')) delete b.dataset.coincide;
   }

@@ -14,15 +14,16 @@ export function ponFicha(programa, ejercicio) {
   una('code', orden).textContent = `./lab ver ${programa.nombre}`;
   una('.copia', orden).ariaLabel = `Copiar ./lab ver ${programa.nombre}`;
   marcaEnLado(programa.nombre);
-  const [referencias, libro] = document.getElementById('libro:' + programa.nombre).content.cloneNode(true).children;
-  una('.de-que').replaceChildren(referencias);
-  una('.del-libro', pagina).replaceChildren(libro);
+  const suyo = document.getElementById('libro:' + programa.nombre)?.content.cloneNode(true).children ?? [];
+  for (const donde of [una('.de-que'), una('.del-libro', pagina)]) donde.replaceChildren(...[suyo[0]].filter(Boolean));
   pagina.classList.toggle('de-consola', programa.consola);
   pagina.classList.toggle('en-ejercicio', Boolean(ejercicio));
-  const capitulo = una(`#${programa.capitulo} h2`).textContent;
-  Object.assign(una('.de-capitulo'), { href: '#' + programa.capitulo, textContent: capitulo });
+  pagina.classList.toggle('con-carpeta', Boolean(ejercicio?.carpeta));
+  const capitulo = ejercicio?.propio ? 'ejercicios' : programa.capitulo;
+  Object.assign(una('.de-capitulo'), { href: '#' + capitulo, textContent: una(`#${capitulo} h2`).textContent });
   ponVecinos(programa, ejercicio);
-  const enlaces = ejercicio ? [enlazaSalida(programa)] : programa.ejercicios.map(enlazaEjercicio);
+  const salida = ejercicio?.propio ? [] : [enlazaSalida(programa)];
+  const enlaces = ejercicio ? salida : programa.ejercicios.map(enlazaEjercicio);
   una('.a-ejercicios', pagina).replaceChildren(...enlaces);
   ponResueltos();
 }
