@@ -57,9 +57,9 @@ def en_html(texto):
     return hecho
 
 
-def corrige(raiz, build, programa, ref):
+def corrige(raiz, build, programa, ref, cuantos=None):
     """Lo que se juega para corregirlo, y lo que vale."""
-    suyas = reglas.del_programa(programa, como_siempre=shaders.reglas(ref))
+    suyas = reglas.del_programa(programa, None, cuantos, shaders.reglas(ref))
     todos = guiones(raiz, build, programa, ref, SEMILLA, suyas, {})
     ordenes = {o.partition(" ×")[0] for g in todos for o in g.ordenes}
     return {

@@ -113,7 +113,8 @@ export class Corrector {
       }
       if (acabaMal(debe, es)) empeora(0, ordenes.length);
       if (es.vivo) hecho.aparte = aparte(debe, es);
-      return Object.assign(hecho, { cuelga: es.cuelga, error: es.error, dicho: es.dicho });
+      const dicho = es.dicho.filter(linea => !debe.dicho.includes(linea));
+      return Object.assign(hecho, { cuelga: es.cuelga, error: es.error, dicho });
     } finally {
       debe.cierra();
       es.cierra();

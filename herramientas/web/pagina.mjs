@@ -30,6 +30,7 @@ import { Propios } from './propios.mjs';
 import { apunta, atiendePunteria } from './punteria.mjs';
 import { atiendeProyeccion, completa, proyecta } from './proyeccion.mjs';
 
+export { deEjercicio } from './almacen.mjs';
 export { arranca } from './programa.mjs';
 
 /// Lo que se ve: { programa, ejercicio, taller, caso, explicado }; nada, en el catálogo.
