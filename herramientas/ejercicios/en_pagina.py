@@ -16,11 +16,6 @@ def los_que_hay(raiz, programas):
     return {**nuevo.ejercicios(raiz, programas), **shaders.ejercicios(raiz, programas)}
 
 
-def de_quien_ensena(raiz, build):
-    """Los de ejercicios/."""
-    return [p for p in propios.lee(raiz, build) if p.carpeta.parent == raiz / propios.CARPETA]
-
-
 def suya(programa):
     """Dónde está en la página la carpeta de quien lo hace."""
     return f"mios/{programa.nombre}"

@@ -123,14 +123,14 @@ export class Ejercicio {
     if (this.carpeta) {
       const enunciado = crea('div', { className: 'enunciado' });
       deEjercicio(this.codigo).then(datos => { enunciado.innerHTML = datos.enunciado; });
-      pide.unshift(enunciado, crea('p', {}, `Falta lo que va entre cada «// ${this.codigo}: …» y su «// fin de ${this.codigo}»:`));
+      pide.unshift(crea('summary', { textContent: 'Lo que se pide' }), enunciado, crea('p', {}, `Falta lo que va entre cada «// ${this.codigo}: …» y su «// fin de ${this.codigo}»:`));
     }
     if (Object.keys(this.pide).some(esShader)) pide.push(crea('p', {}, 'En un shader, un real lleva punto: 1.0 y no 1.'));
     const ver = boton('Ver la solución', async () => ver.setAttribute('aria-pressed', await cambiaDeVista()));
     ver.setAttribute('aria-pressed', false);
     const descarga = boton(this.carpeta ? 'Descargar mi carpeta' : 'Descarga mi shader', () => this.descarga(), {
       className: 'descarga', title: 'Lo que has escrito, para entregarlo: ./lab corrige lo corrige. Soltado en la página, se abre' });
-    una('.tarea').replaceChildren(crea('div', {}, ...pide),
+    una('.tarea').replaceChildren(crea(this.carpeta ? 'details' : 'div', { open: true }, ...pide),
       boton('Corregir', corrige, { className: 'corrige', title: 'La nota que da ./lab corrige' }),
       ...this.oculto ? [] : [ver], descarga);
     una('.correccion').hidden = true;

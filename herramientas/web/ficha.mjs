@@ -15,6 +15,8 @@ export function ponFicha(programa, ejercicio) {
   una('.copia', orden).ariaLabel = `Copiar ./lab ver ${programa.nombre}`;
   marcaEnLado(programa.nombre);
   const suyo = document.getElementById('libro:' + programa.nombre)?.content.cloneNode(true).children ?? [];
+  pagina.classList.toggle('de-clase', Boolean(ejercicio?.propio)); // su solución no la tiene quien la mira
+  // lo primero, al ponerlo en su sitio, deja de estar en la plantilla
   for (const donde of [una('.de-que'), una('.del-libro', pagina)]) donde.replaceChildren(...[suyo[0]].filter(Boolean));
   pagina.classList.toggle('de-consola', programa.consola);
   pagina.classList.toggle('en-ejercicio', Boolean(ejercicio));

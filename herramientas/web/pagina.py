@@ -102,7 +102,7 @@ class Pagina:
 
     def de_quien_ensena(self):
         """Los programas de sus ejercicios, que tienen que estar compilados sin ventana y en lab.wasm."""
-        suyos = en_pagina.de_quien_ensena(self.raiz, self.build.parent)
+        suyos = propios.los_de_aqui(self.raiz, self.build.parent)
         for p in suyos:
             if not p.ejecutable(self.build.parent).is_file():
                 raise Fallo(f"{p.capitulo.nombre} no está compilado: lo hace ./lab web")
@@ -174,7 +174,7 @@ class Pagina:
             vivos = hilos.map(lambda p: ProgramaVivo(self.raiz, self.build.parent, p), [*programas, *ensenados])
             datos = [p.datos() for p in vivos]
         for p, d in zip([*programas, *ensenados], datos):
-            suyos = [c for c in (*p.referencias, p.nombre) if hay.get(c) is p]
+            suyos = [c for c in p.referencias if hay.get(c) is p]
             d["ejercicios"] = [en_pagina.resumen(self.raiz, p, c, del_libro) for c in suyos]
         casos = [p.casos[0] for p in programas] + [c.caso_de_portada for c in capitulos if c.caso_de_portada]
         miniaturas = {caso.fichero: self.miniatura(caso) for caso in casos}
