@@ -30,7 +30,8 @@ export function haceZip(textos) {
     const comun = [UTF8, SIN_COMPRIMIR, ...DE_1980, [4, crc32(datos)], talla, talla, [2, nombre.length], [2, 0]];
     const local = [enBytes([4, 0x04034b50], [2, 20], ...comun), nombre, datos];
     locales.push(...local);
-    central.push(enBytes([4, 0x02014b50], [2, 20], [2, 20], ...comun, [2, 0], [2, 0], [2, 0], [4, 0], [4, donde]), nombre);
+    const y = [[2, 0], [2, 0], [2, 0], [4, 0], [4, donde]];
+    central.push(enBytes([4, 0x02014b50], [2, 20], [2, 20], ...comun, ...y), nombre);
     donde += local.reduce((n, b) => n + b.length, 0);
   }
   const cuantos = [2, central.length / 2], largo = central.reduce((n, b) => n + b.length, 0);
@@ -71,7 +72,8 @@ async function deEntrada(entrada, hay = {}) {
 
 const FUENTE = /\.(cpp|h|vert|frag|glsl|vf)$/, MUCHO = 400;
 
-/// Si lo soltado puede ser lo de un ejercicio: una carpeta, un .zip o unos fuentes. Hay que preguntarlo según se suelta.
+/// Si lo soltado puede ser de un ejercicio (una carpeta, un .zip o unos fuentes), cómo leerlo. Hay que preguntarlo según
+/// se suelta.
 export function loSoltado(dataTransfer) {
   const entradas = [...dataTransfer.items].map(i => i.webkitGetAsEntry?.()).filter(Boolean);
   const ficheros = [...dataTransfer.files];

@@ -21,7 +21,7 @@ export class Compilacion {
     compila.textContent = `Compilar (la primera vez se traen ${cuantoPesa()})`;
   }
 
-  /// El módulo del programa, si se ha compilado lo que hay escrito en sus fuentes, o en otros; de un ejercicio, siempre.
+  /// El módulo del programa, si se ha compilado, mientras haya algo escrito en los fuentes; de un ejercicio, siempre.
   modulo({ nombre }, taller, ejercicio) {
     if (ejercicio) return this.#modulos.get(ejercicio.enlace)?.modulo;
     return this.#cambios(taller).length ? this.#modulos.get(nombre)?.modulo : undefined;

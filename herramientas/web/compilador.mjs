@@ -86,7 +86,7 @@ export class Compilador {
     });
   }
 
-  /// El programa con esos fuentes { ruta: texto }, de los que algunos han cambiado: { modulo, si sale; dichos }. Si es un
+  /// El programa con esos fuentes { ruta: texto }, de los que algunos han cambiado: { modulo, si sale; dichos }. El de un
   /// ejercicio está en su carpeta, y usa también las cabeceras de su capítulo.
   async compila({ nombre, capitulo, carpeta = capitulo }, fuentes, cambiados) {
     const programa = `${carpeta}/${nombre}.cpp`;

@@ -1,10 +1,8 @@
 // «Corregir»: lo que se dice mientras se juega y lo que ha salido.
-import { deEjercicio } from './almacen.mjs';
 import { boton, crea, una } from '../base/documento.mjs';
-import { Corrector } from './corrector.mjs';
 import { hazEnlace } from './enlaces.mjs';
 import { BIEN, CASI } from './nota.mjs';
-import { arranca, motivoDe } from './programa.mjs';
+import { motivoDe } from './programa.mjs';
 
 const panel = una('.correccion');
 const cifra = n => n.toLocaleString('es');
@@ -40,6 +38,7 @@ export class Correccion {
 
   #pon(...que) {
     panel.hidden = false;
+    panel.ariaBusy = Boolean(this.#esta); // lo que se dice mientras tanto no hay que leerlo cada vez
     panel.className = 'correccion';
     panel.replaceChildren(...que);
   }
@@ -55,10 +54,7 @@ export class Correccion {
       return { nota: 0 };
     }
     const compilado = compilacion.modulo(ejercicio.programa, ejercicio.taller, ejercicio);
-    const textos = await ejercicio.taller.escritos();
-    const corrector = new Corrector(await deEjercicio(ejercicio.codigo), { sigue,
-      suyo: como => ejercicio.arranca({ ...como, compilado, textos }),
-      original: como => arranca(ejercicio.programa, como) });
+    const corrector = await ejercicio.corrector(sigue, await ejercicio.taller.escritos(), compilado);
     const hecha = await corrector.corrige((n, de) => this.#pon(linea(`Corrigiendo: ${n + 1} de ${de} guiones…`)));
     if (hecha.nota === 100) ejercicio.resuelve();
     const resumen = this.#resumen(hecha);
@@ -74,7 +70,8 @@ export class Correccion {
     return [
       linea(crea('b', { textContent: cifra(nota) }), ` de 100: ${bien}${casi ? `; ${casi}, casi` : ''}.`),
       ...Object.entries(otros).filter(([que]) => que !== 'estado').map(([, dice]) => linea(`${dice}.`)),
-      crea('details', {}, crea('summary', { textContent: 'Cómo se puntúa' }), linea(`Es lo de ./lab corrige. ${reglas.dichas}.`)),
+      crea('details', {}, crea('summary', { textContent: 'Cómo se puntúa' }),
+        linea(`Es lo de ./lab corrige. ${reglas.dichas}.`)),
     ];
   }
 

@@ -40,7 +40,8 @@ class Jugador {
   #escala = '';
 
   static async empieza(arranca) {
-    const jugador = new Jugador(), di = (linea, esError) => (esError ? jugador.dicho : jugador.texto).push(linea.trimEnd());
+    const jugador = new Jugador(), { texto, dicho } = jugador;
+    const di = (linea, esError) => (esError ? dicho : texto).push(linea.trimEnd());
     try {
       jugador.sesion = await arranca({ ...COMO, lienzo: crea('canvas'), di });
       jugador.mira();
@@ -84,16 +85,14 @@ class Jugador {
 
 export class Corrector {
   /// `datos`, los de ejercicios.js; `suyo` y `original`, cómo arranca cada uno; `sigue()`, si aún hace falta.
-  constructor(datos, { suyo, original, sigue }) { Object.assign(this, datos, { suyo, original, sigueHaciendoFalta: sigue }); }
-
-  #sigue() { if (!this.sigueHaciendoFalta()) throw new DOMException('ya no hace falta', 'AbortError'); }
+  constructor(datos, { suyo, original, sigue }) { Object.assign(this, datos, { suyo, original, sigue }); }
 
   /// Los dos juegan esas órdenes: { parecido, el de las que menos; en, la imagen en que antes falla, y en qué píxel;
   /// aparte, si llega al final; cuelga; dice }.
   async juega(ordenes) {
-    this.#sigue();
-    const [debe, es] = await Promise.all([this.original, this.suyo].map(a => Jugador.empieza(a))), todas = ['', ...ordenes];
-    const hecho = { parecido: BIEN };
+    if (!this.sigue()) throw new DOMException('ya no hace falta', 'AbortError');
+    const [debe, es] = await Promise.all([this.original, this.suyo].map(a => Jugador.empieza(a)));
+    const hecho = { parecido: BIEN }, todas = ['', ...ordenes];
     const empeora = (parecido, i, imagenes) => {
       if (parecido < BIEN && hecho.en === undefined) Object.assign(hecho, { en: i, imagenes });
       hecho.parecido = Math.min(hecho.parecido, parecido);
@@ -135,24 +134,24 @@ export class Corrector {
     return { nota: nota(guiones, otros, this.reglas), guiones, otros, reglas: this.reglas };
   }
 
-  /// Del guion que antes falla, las órdenes que bastan, cómo se dicen y en qué píxel se apartan, de la ventana de siempre.
+  /// Del guion que antes falla: { las órdenes que bastan, cómo se dicen, en qué píxel se aparta de la ventana de siempre,
+  /// con qué error y qué escribe }.
   async primero(guiones) {
     const falla = guiones.filter(g => g.parecido < BIEN).sort((a, b) => a.en - b.en || b.vale - a.vale)[0];
     if (!falla) return undefined;
-    let ultimo = falla;
+    let ultimo = falla, ordenes = falla.ordenes.slice(0, falla.en);
     const seAparta = async ordenes => {
       const hecho = await this.juega(ordenes);
       if (hecho.parecido < BIEN) ultimo = hecho;
       return hecho.parecido < BIEN;
     };
-    let ordenes = falla.ordenes.slice(0, falla.en);
     if (!falla.cuelga && ordenes.length) ordenes = await acorta(ordenes, seAparta, INTENTOS);
-    else ultimo = falla;
-    return { ordenes, dice: this.#enPalabras(ordenes), pixel: pixelDe(ultimo.imagenes), error: ultimo.error ?? falla.error,
-      dicho: falla.dicho, casi: falla.parecido === CASI };
+    const { imagenes, error, dicho, parecido } = ultimo;
+    return { ordenes, dice: this.enPalabras(ordenes), pixel: pixelDe(imagenes), error, dicho, casi: parecido === CASI };
   }
 
-  #enPalabras(ordenes) {
+  /// Lo que hace una persona.
+  enPalabras(ordenes) {
     const dichas = ordenes.filter(o => !o.startsWith('escala')).map(orden => {
       const [una, veces] = orden.split(' ×');
       return this.palabras[una] + (veces ? ` ${veces} veces` : '');

@@ -3,19 +3,13 @@
 import { deEjercicio, Taller } from './almacen.mjs';
 import { boton, crea, todos, una } from '../base/documento.mjs';
 import { haceZip } from './carpeta.mjs';
-import { recuerda } from './datos.mjs';
+import { Corrector } from './corrector.mjs';
 import { guarda } from './descarga.mjs';
 import { esFuente, esShader } from './fuentes.mjs';
 import { BASTA, compara, pixeles, porciento } from './imagenes.mjs';
+import { BIEN } from './nota.mjs';
 import { arranca } from './programa.mjs';
 import { ponResueltos } from './resueltos.mjs';
-
-/// Lo que, además de empezar, se hace en cada caso, y cómo se dice: la cámara al otro lado, con la luz detrás de lo que
-/// ilumina, y cada tecla. Solo se juzga lo que lo escrito puede cambiar: lo que se ve.
-const gestos = ({ raton, mandos }) => [
-  ...raton
-    ? [['boton IZQUIERDO abajo 10 90; arrastra 330 90; boton IZQUIERDO arriba 330 90', 'girado con el ratón']] : [],
-  ...mandos.flatMap(({ teclas }) => teclas).map(([tecla, orden]) => [orden, `tras pulsar ${tecla}`])];
 
 const veredicto = una('.veredicto'), parecido = una('.parecido output');
 
@@ -42,7 +36,6 @@ export class Ejercicio {
   #revision;  // la última; se deja si se escribe otra cosa
   #pendiente; // una comparación
   #resuelto = false; // lo escrito
-  #objetivos = recuerda(caso => this.#imagenesDe(caso, {}));
 
   /// `datos` son los de EJERCICIOS; `empiezaCaso(caso)` lo cambia en la escena.
   constructor(datos, { escena, empiezaCaso, recien }) {
@@ -87,7 +80,8 @@ export class Ejercicio {
     const escritos = await textos ?? await this.taller.textos();
     if (!this.carpeta) return arranca(this.programa, { ...como, textos: escritos });
     if (this.seCompila && !compilado) return sinCompilar(como);
-    const alias = this.seCompila ? () => ({}) : (ruta, texto) => ({ [`${this.carpeta}/${this.#enSuCapitulo(ruta)}`]: texto });
+    // el original los busca como los de su capítulo
+    const alias = (ruta, texto) => this.seCompila ? {} : { [`${this.carpeta}/${this.#enSuCapitulo(ruta)}`]: texto };
     const otros = Object.assign({}, ...Object.entries(escritos).map(e => alias(...e)));
     const sesion = await arranca(this.suyo, { ...como, ...this.seCompila && { compilado },
       raices: [`/lab/${this.carpeta}`], textos: { ...this.queNoSeVe, ...escritos, ...otros } });
@@ -105,7 +99,8 @@ export class Ejercicio {
     }
     const ruta = f => this.carpeta ? `${this.carpeta}/${f}` : Object.keys(this.pide).find(r => r.endsWith(`/${f}`));
     const suyos = Object.entries(fuentes).filter(([f]) => ruta(f));
-    if (!suyos.length) throw new Error(`Ahí no está ${Object.keys(this.pide).map(r => r.split('/').pop()).join(', ')}.`);
+    const piden = Object.keys(this.pide).map(r => r.split('/').pop());
+    if (!suyos.length) throw new Error(`Ahí no está ${piden.join(', ')}.`);
     this.taller.cambios.clear();
     for (const [f, texto] of suyos) this.taller.apunta(ruta(f), texto, await this.taller.original(ruta(f)));
   }
@@ -123,13 +118,16 @@ export class Ejercicio {
     if (this.carpeta) {
       const enunciado = crea('div', { className: 'enunciado' });
       deEjercicio(this.codigo).then(datos => { enunciado.innerHTML = datos.enunciado; });
-      pide.unshift(crea('summary', { textContent: 'Lo que se pide' }), enunciado, crea('p', {}, `Falta lo que va entre cada «// ${this.codigo}: …» y su «// fin de ${this.codigo}»:`));
+      pide.unshift(crea('summary', { textContent: 'Lo que se pide' }), enunciado,
+        crea('p', {}, `Falta lo que va entre cada «// ${this.codigo}: …» y su «// fin de ${this.codigo}»:`));
     }
-    if (Object.keys(this.pide).some(esShader)) pide.push(crea('p', {}, 'En un shader, un real lleva punto: 1.0 y no 1.'));
+    if (Object.keys(this.pide).some(esShader))
+      pide.push(crea('p', {}, 'En un shader, un número real lleva punto: 1.0 y no 1.'));
     const ver = boton('Ver la solución', async () => ver.setAttribute('aria-pressed', await cambiaDeVista()));
     ver.setAttribute('aria-pressed', false);
-    const descarga = boton(this.carpeta ? 'Descargar mi carpeta' : 'Descarga mi shader', () => this.descarga(), {
-      className: 'descarga', title: 'Lo que has escrito, para entregarlo: ./lab corrige lo corrige. Soltado en la página, se abre' });
+    const descarga = boton(this.carpeta ? 'Descarga mi carpeta' : 'Descarga mi shader', () => this.descarga(), {
+      className: 'descarga', title: 'Lo que has escrito, para entregarlo: ./lab corrige lo corrige. Si se suelta en la ' +
+        'página, se abre' });
     una('.tarea').replaceChildren(crea(this.carpeta ? 'details' : 'div', { open: true }, ...pide),
       boton('Corregir', corrige, { className: 'corrige', title: 'La nota que da ./lab corrige' }),
       ...this.oculto ? [] : [ver], descarga);
@@ -191,63 +189,53 @@ export class Ejercicio {
     una('.diferencia').replaceChildren(lienzo);
     if (parecido.textContent !== porciento(parte)) parecido.textContent = porciento(parte);
     if (errores.length) dictamina('El shader tiene un error: la imagen es la de antes.', 'mal');
-    else if (parte >= BASTA && this.carpeta) this.#resuelto || dictamina('Lo que se ve coincide: «Corregir» mira lo demás.');
-    else if (!this.#revision && parte >= BASTA) this.#revisa();
-    else if (!this.#revision) dictamina('');
+    else if (this.#revision || this.#resuelto && parte >= BASTA) return;
+    else if (parte < BASTA) dictamina('');
+    else if (this.carpeta) dictamina('Lo que se ve coincide: «Corregir» mira lo demás.');
+    else this.#revisa();
   }
 
-  /// Lo que dibuja un caso con esos shaders, y tras cada gesto; nada desde que deja de andar.
-  async #imagenesDe({ guion }, textos) {
-    const lienzo = crea('canvas'), sesion = await arranca(this.programa, { lienzo, ancho: 240, alto: 180, textos });
-    const imagenes = [guion, ...gestos(this.programa).map(([orden]) => orden)].map(orden => {
-      sesion.orden(orden);
-      return sesion.vivo && pixeles(lienzo);
-    });
-    sesion.cierra();
-    return imagenes;
+  /// Quien lo corrige con esos textos o, si hay que compilarlos, con lo compilado, mientras `sigue()`.
+  async corrector(sigue, textos, compilado) {
+    return new Corrector(await deEjercicio(this.codigo), { sigue,
+      suyo: como => this.arranca({ ...como, textos, compilado }), original: como => arranca(this.programa, como) });
   }
 
-  /// Lo escrito coincide en lo que se está viendo: falta saber si coincide en todos los casos.
+  /// Lo escrito coincide en lo que se está viendo: falta saber si coincide en todos los casos, y tras lo que se hace en
+  /// cada uno.
   async #revisa() {
-    const esta = this.#revision = {}, textos = this.taller.textos(), { casos } = this.programa, fallan = [];
-    let otro;
+    const esta = this.#revision = {}, sigue = () => this.#revision === esta, { casos } = this.programa;
     dictamina('Comparando cada caso…');
-    for (const caso of casos) {
-      const objetivos = await this.#objetivos(caso);
-      const logradas = this.#revision === esta && await this.#imagenesDe(caso, textos);
-      if (this.#revision !== esta) return;
-      const [coincide, ...demas] = objetivos.map((o, i) => !o || logradas[i] && compara(logradas[i], o) >= BASTA);
-      const mal = demas.indexOf(false);
-      if (coincide && mal >= 0) otro ??= `${caso.titulo}, ${gestos(this.programa)[mal][1]}`;
-      if (!coincide && this.#recien) { // se empieza por donde hay algo que hacer
-        this.olvidaRevision();
-        return this.#empiezaCaso(caso);
-      }
-      if (!coincide) fallan.push(caso);
-      const b = todos('.casos-botones button')[casos.indexOf(caso)];
-      if (b) b.dataset.coincide = coincide ? 'si' : 'no';
+    const corrector = await this.corrector(sigue, await this.taller.textos());
+    const hecha = await corrector.corrige().catch(error => { if (error.name !== 'AbortError') throw error; });
+    if (!hecha || !sigue()) return;
+    const suyas = caso => caso.guion.split(';').filter(o => o.trim()).length; // sus órdenes; las demás son gestos
+    const fallan = casos.filter((caso, i) => hecha.guiones[i].en <= suyas(caso));
+    if (fallan.length && this.#recien) { // se empieza por donde hay algo que hacer
+      this.olvidaRevision();
+      return this.#empiezaCaso(fallan[0]);
     }
+    for (const [i, b] of todos('.casos-botones button').entries())
+      b.dataset.coincide = fallan.includes(casos[i]) ? 'no' : 'si';
     this.#recien = false;
-    this.#acaba(casos.length, fallan.length, otro);
+    const otro = hecha.guiones.findIndex(g => g.parecido < BIEN), { en, ordenes } = hecha.guiones[otro] ?? {};
+    this.#acaba(casos.length, fallan.length,
+      otro >= 0 && `${casos[otro].titulo}, y después ${corrector.enPalabras(ordenes.slice(en - 1, en))}`);
   }
 
   #acaba(casos, fallan, otro) {
     const varios = casos > 1;
-    if (fallan) {
-      dictamina(varios ? `Falta que coincida en ${fallan} de los ${casos} casos.` : 'Falta que coincida al empezar.');
-    } else if (otro) {
-      dictamina(`Falta que coincida también así: ${otro}.`);
-    } else {
-      ponResueltos(this.codigo);
-      dictamina(varios ? `Resuelto: coincide en los ${casos} casos.` : 'Resuelto.', 'bien');
-    }
+    const faltan = varios ? `en ${fallan} de los ${casos} casos` : 'al empezar';
+    if (fallan) dictamina(`Falta que coincida ${faltan}.`);
+    else if (otro) dictamina(`Falta que coincida también así: ${otro}.`);
+    else this.resuelve(varios ? `Resuelto: coincide en los ${casos} casos.` : 'Resuelto.');
   }
 
   /// Lo escrito saca 100.
-  resuelve() {
+  resuelve(dice = 'Resuelto.') {
     this.#resuelto = true;
     ponResueltos(this.codigo);
-    dictamina('Resuelto.', 'bien');
+    dictamina(dice, 'bien');
   }
 
   /// Lo escrito ha cambiado.

@@ -8,7 +8,8 @@ const pagina = una('#programa');
 
 export function ponFicha(programa, ejercicio) {
   scrollTo(0, 0);
-  document.title = ejercicio ? `Ejercicio ${ejercicio.codigo}: ${ejercicio.que}` : programa.titulo;
+  document.title = !ejercicio ? programa.titulo : ejercicio.propio ? ejercicio.que
+    : `Ejercicio ${ejercicio.codigo}: ${ejercicio.que}`;
   una('h1', pagina).textContent = document.title;
   const orden = una('.origen .orden');
   una('code', orden).textContent = `./lab ver ${programa.nombre}`;

@@ -55,7 +55,8 @@ export const compilacion = new Compilacion({
   alCompilar: () => conCuidado(() => escena.repite()),
   vaA: sitio => editor.vaA(sitio),
 });
-export const correccion = new Correccion({ compilacion, ensena: (guion, pixel) => empieza(guion).then(() => explicaEn(pixel)) });
+export const correccion = new Correccion({ compilacion,
+  ensena: (guion, pixel) => empieza(guion).then(() => explicaEn(pixel)) });
 const propios = new Propios(() => empieza(), abreSoltado);
 
 /// Los de los shaders y los de los fuentes.
@@ -94,7 +95,7 @@ async function abreCarpeta(lee) {
     navega();
   }
   const { ejercicio, taller } = visto;
-  if (taller.cambios.size && !confirm('Ya hay algo escrito en este ejercicio. ¿Cambiarlo por lo que se ha soltado?')) return;
+  if (taller.cambios.size && !confirm('Aquí ya hay algo escrito. ¿Cambiarlo por lo que se ha soltado?')) return;
   await ejercicio.abre(hay);
   ejercicio.olvidaRevision();
   correccion.olvida();
