@@ -2,7 +2,7 @@
 ./lab nuevo y de ./lab corrige, escrito una vez al hacer la página: allí solo se juega."""
 from dataclasses import asdict
 
-from base import controles, libro, marcas
+from base import libro, marcas
 from base.guiones import en_palabras
 from ejercicios import nuevo, propios, reglas
 from ejercicios.corrige import shaders

@@ -68,7 +68,8 @@ export class Correccion {
     const cuantos = parecido => guiones.filter(g => g.parecido === parecido).length, casi = cuantos(CASI);
     const bien = `${cuantos(BIEN)} de los ${guiones.length} guiones dan lo mismo`;
     return [
-      linea(crea('b', { textContent: cifra(nota) }), ` de 100: ${bien}${casi ? `; ${casi}, casi` : ''}.`),
+      linea(crea('b', { textContent: cifra(nota) }), ` de 100: ${bien}${casi ? `; ${casi}, casi` : ''}.` +
+        (reglas.huecos && nota < 100 ? ' Es lo entero: ./lab corrige cuenta también cada pieza, por su cuenta.' : '')),
       ...Object.entries(otros).filter(([que]) => que !== 'estado').map(([, dice]) => linea(`${dice}.`)),
       crea('details', {}, crea('summary', { textContent: 'Cómo se puntúa' }),
         linea(`Es lo de ./lab corrige. ${reglas.dichas}.`)),

@@ -112,7 +112,9 @@ def test_en_la_pagina_va_lo_que_se_reparte_y_no_la_solucion(tmp_path, monkeypatc
     assert len(pedido) == 6 and not [linea for linea in pedido if linea in va]
     reparte = {f"mios/molinete/{f}": t for f, t in nuevo.carpeta_de(RAIZ, programa, "molinete", "molinete").items()}
     assert reparte == datos["esqueleto"] | {f"mios/molinete/{f}": t for f, t in datos["sueltos"].items()}
-    assert resumen["oculto"] and resumen["que"] == "Un molinete" and [*resumen["pide"]] == ["mios/molinete/molinete.cpp"]
+    assert (
+        resumen["oculto"] and resumen["que"] == "Un molinete" and [*resumen["pide"]] == ["mios/molinete/molinete.cpp"]
+    )
     assert [g["vale"] for g in datos["guiones"]] == [3, 3, 3, 1, 1] and datos["palabras"]["tecla g"] == "pulsa g"
 
 

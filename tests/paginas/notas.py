@@ -6,7 +6,6 @@ from pathlib import Path
 
 from base import catalogo, defectos
 from ejercicios import comprueba, en_pagina, nuevo
-from ejercicios.corrige import veredicto
 
 AL_AZAR = 4  # guiones, además de los casos
 ERRORES = 2
