@@ -126,7 +126,7 @@ export class Ejercicio {
     const ver = boton('Ver la solución', async () => ver.setAttribute('aria-pressed', await cambiaDeVista()));
     ver.setAttribute('aria-pressed', false);
     const descarga = boton(this.carpeta ? 'Descarga mi carpeta' : 'Descarga mi shader', () => this.descarga(), {
-      className: 'descarga', title: 'Lo escrito, para entregarlo: ./lab corrige lo corrige. Soltado en la página, se abre' });
+      className: 'descarga', title: 'Lo escrito, para ./lab corrige. Si se suelta en la página, se abre' });
     una('.tarea').replaceChildren(crea(this.carpeta ? 'details' : 'div', { open: true }, ...pide),
       boton('Corregir', corrige, { className: 'corrige', title: 'La nota que da ./lab corrige' }),
       ...this.oculto ? [] : [ver], descarga);
