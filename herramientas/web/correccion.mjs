@@ -72,7 +72,7 @@ export class Correccion {
         (reglas.huecos && nota < 100 ? ' Es lo entero: ./lab corrige cuenta también cada pieza, por su cuenta.' : '')),
       ...Object.entries(otros).filter(([que]) => que !== 'estado').map(([, dice]) => linea(`${dice}.`)),
       crea('details', {}, crea('summary', { textContent: 'Cómo se puntúa' }),
-        linea(`Es lo de ./lab corrige. ${reglas.dichas}.`)),
+        linea(`Es lo de ./lab corrige, y los rótulos no cuentan. ${reglas.dichas}.`)),
     ];
   }
 
