@@ -56,7 +56,11 @@ export const compilacion = new Compilacion({
   vaA: sitio => editor.vaA(sitio),
 });
 export const correccion = new Correccion({ compilacion,
-  ensena: (guion, pixel) => empieza(guion).then(() => explicaEn(pixel)) });
+  ensena: async (guion, pixel) => {
+    await empieza(guion);
+    una('.cuadros').scrollIntoView({ block: 'nearest' }); // en un teléfono no se vería
+    await explicaEn(pixel);
+  } });
 const propios = new Propios(() => empieza(), abreSoltado);
 
 /// Los de los shaders y los de los fuentes.
