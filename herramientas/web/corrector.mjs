@@ -87,8 +87,8 @@ export class Corrector {
   /// `datos`, los de ejercicios.js; `suyo` y `original`, cómo arranca cada uno; `sigue()`, si aún hace falta.
   constructor(datos, { suyo, original, sigue }) { Object.assign(this, datos, { suyo, original, sigue }); }
 
-  /// Los dos juegan esas órdenes: { parecido, el de las que menos; en, la imagen en que antes falla, y en qué píxel;
-  /// aparte, si llega al final; cuelga; dice }.
+  /// Los dos juegan esas órdenes: { parecido, el de las imágenes que menos se parecen; en, en cuál se apartan primero, e
+  /// imagenes, las dos; aparte, si llega al final; y de lo suyo, cuelga, error y dicho }.
   async juega(ordenes) {
     if (!this.sigue()) throw new DOMException('ya no hace falta', 'AbortError');
     const [debe, es] = await Promise.all([this.original, this.suyo].map(a => Jugador.empieza(a)));
@@ -120,7 +120,8 @@ export class Corrector {
     }
   }
 
-  /// Todos los guiones: { nota, guiones, otros, fallo, el primero, acortado }. `avanza(n, de)` según se juegan.
+  /// Todos los guiones: { nota; guiones, con lo de cada uno; otros, lo que cuenta una vez; reglas }. `avanza(n, de)` según
+  /// se juegan.
   async corrige(avanza = () => {}) {
     const guiones = this.guiones.map(g => ({ ...g }));
     let otros = {}, cuelgan = 0;
