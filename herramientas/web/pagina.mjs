@@ -85,7 +85,10 @@ function empieza(guion) {
 /// Lo de un ejercicio que se ha soltado en la página: va a él y lo abre. Falso, si no es eso.
 function abreSoltado(dataTransfer) {
   const lee = loSoltado(dataTransfer);
-  if (lee) abreCarpeta(lee).catch(error => avisa(error.message));
+  if (lee) abreCarpeta(lee).catch(({ message }) => {
+    if (visto.programa) avisa(message);
+    else Object.assign(una('#no-esta'), { hidden: false, textContent: message }).scrollIntoView();
+  });
   return Boolean(lee);
 }
 
