@@ -12,8 +12,11 @@ SEMILLA = "1"  # la de ./lab corrige, si no se dice otra
 
 
 def los_que_hay(raiz, programas):
-    """El programa de cada uno."""
-    return {**nuevo.ejercicios(raiz, programas), **shaders.ejercicios(raiz, programas)}
+    """El programa de cada uno, menos los que en su carpeta llevan hecho lo de otro que está oculto."""
+    ocultos = {*marcas.ocultos(raiz)}
+    hechos = lambda p, ref: marcas.que_piden(nuevo.de_la_carpeta(raiz, p, ref)).keys() - {ref}
+    suyos = {ref: p for ref, p in nuevo.ejercicios(raiz, programas).items() if not ocultos & hechos(p, ref)}
+    return {**suyos, **shaders.ejercicios(raiz, programas)}
 
 
 def suya(programa):
