@@ -58,7 +58,14 @@ export async function leeZip(fichero) {
   return hay;
 }
 
-/// Los de una carpeta que se ha soltado, y los de dentro.
+/// Los de una carpeta que se ha soltado, y los de dentro: en Chromium, que de file:// no lee entradas, por su asa; en
+/// Firefox, que no las tiene, por su entrada.
+async function deAsa(asa, ruta = asa.name, hay = {}) {
+  if (asa.kind === 'file') hay[ruta] = await asa.getFile();
+  else for await (const otra of asa.values()) await deAsa(otra, `${ruta}/${otra.name}`, hay);
+  return hay;
+}
+
 async function deEntrada(entrada, hay = {}) {
   if (entrada.isFile) {
     hay[entrada.fullPath.slice(1)] = await new Promise((bien, mal) => entrada.file(bien, mal));
@@ -72,12 +79,15 @@ async function deEntrada(entrada, hay = {}) {
 
 const FUENTE = /\.(cpp|h|vert|frag|glsl|vf)$/, MUCHO = 400;
 
-/// Si lo soltado puede ser de un ejercicio (una carpeta, un .zip o unos fuentes), cómo leerlo. Hay que preguntarlo según
-/// se suelta.
+/// Si lo soltado puede ser de un ejercicio (una carpeta, un .zip o unos fuentes), cómo leerlo. Hay que preguntarlo
+/// según se suelta.
 export function loSoltado(dataTransfer) {
-  const entradas = [...dataTransfer.items].map(i => i.webkitGetAsEntry?.()).filter(Boolean);
-  const ficheros = [...dataTransfer.files];
-  if (entradas.some(e => e.isDirectory)) return () => Promise.all(entradas.map(e => deEntrada(e))).then(juntos);
+  const cosas = [...dataTransfer.items].filter(i => i.kind === 'file'), ficheros = [...dataTransfer.files];
+  const entradas = cosas.map(i => i.webkitGetAsEntry?.());
+  if (entradas.some(e => e?.isDirectory)) {
+    const asas = cosas.map(i => i.getAsFileSystemHandle?.());
+    return () => Promise.all(asas.map((asa, i) => asa ? asa.then(a => deAsa(a)) : deEntrada(entradas[i]))).then(juntos);
+  }
   if (ficheros.length === 1 && /\.zip$/i.test(ficheros[0].name)) return () => leeZip(ficheros[0]).then(textosDe);
   const suyos = ficheros.filter(f => /\.(cpp|h|vert|frag|glsl)$/.test(f.name));
   return suyos.length ? () => juntos(suyos.map(f => ({ [f.name]: f }))) : undefined;

@@ -87,7 +87,7 @@ export class Corrector {
   /// `datos`, los de ejercicios.js; `suyo` y `original`, cómo arranca cada uno; `sigue()`, si aún hace falta.
   constructor(datos, { suyo, original, sigue }) { Object.assign(this, datos, { suyo, original, sigue }); }
 
-  /// Los dos juegan esas órdenes: { parecido, el de las imágenes que menos se parecen; en, en cuál se apartan primero, e
+  /// Los dos juegan esas órdenes: { parecido, el de las imágenes que menos se parecen; en, en cuál se apartan antes, e
   /// imagenes, las dos; aparte, si llega al final; y de lo suyo, cuelga, error y dicho }.
   async juega(ordenes) {
     if (!this.sigue()) throw new DOMException('ya no hace falta', 'AbortError');
@@ -120,8 +120,8 @@ export class Corrector {
     }
   }
 
-  /// Todos los guiones: { nota; guiones, con lo de cada uno; otros, lo que cuenta una vez; reglas }. `avanza(n, de)` según
-  /// se juegan.
+  /// Todos los guiones: { nota; guiones, con lo de cada uno; otros, lo que cuenta una vez; reglas }. `avanza(n, de)`
+  /// según se juegan.
   async corrige(avanza = () => {}) {
     const guiones = this.guiones.map(g => ({ ...g }));
     let otros = {}, cuelgan = 0;
@@ -135,8 +135,8 @@ export class Corrector {
     return { nota: nota(guiones, otros, this.reglas), guiones, otros, reglas: this.reglas };
   }
 
-  /// Del guion que antes falla: { las órdenes que bastan, cómo se dicen, en qué píxel se aparta de la ventana de siempre,
-  /// con qué error y qué escribe }.
+  /// Del guion que antes falla: { ordenes, las que bastan; cómo se dice; pixel, el que más se aparta, de la ventana de
+  /// siempre; con qué error, qué ha dicho, y si es casi igual }.
   async primero(guiones) {
     const falla = guiones.filter(g => g.parecido < BIEN).sort((a, b) => a.en - b.en || b.vale - a.vale)[0];
     if (!falla) return undefined;

@@ -87,8 +87,8 @@ async function precompila() {
   return new Uint8Array(await new Blob(escrito).arrayBuffer());
 }
 
-/// El programa, los demás de la carpeta de un ejercicio y, de common/, los que hay que volver a compilar: los cambiados y
-/// los que incluyen algo cambiado.
+/// El programa, los demás de la carpeta de un ejercicio y, de common/, los que hay que volver a compilar: los cambiados
+/// y los que incluyen algo cambiado.
 function porCompilar(programa, fuentes, cambiados) {
   const cambia = ruta => [ruta, ...incluidas(ruta, fuentes)].some(r => cambiados.includes(r));
   const hayQue = ruta => /^mios\/.*\.cpp$/.test(ruta) || /^common\/.*\.cpp$/.test(ruta) && cambia(ruta);
