@@ -400,16 +400,14 @@ test('los ejercicios: lo guardado y sus ficheros', () => {
 test('la carpeta, en un .zip que se lee con cualquiera', async () => {
   const textos = { 'grua/grua.cpp': 'int main() {}\n', 'grua/año.h': '// ñ\n', 'grua/ejercicio.txt': 'E3.5 c/grua\n' };
   const zip = haceZip(textos), base64 = Buffer.from(await zip.arrayBuffer()).toString('base64');
-  const [malo, leidos] = dePython(`import base64, io, json, sys, zipfile
-z = zipfile.ZipFile(io.BytesIO(base64.b64decode(sys.argv[3])))
-print(json.dumps([z.testzip(), {n: z.read(n).decode() for n in z.namelist()}]))`, base64);
+  const [malo, leidos, comprimido] = dePython(`import base64, io, json, sys, zipfile
+z, otro = zipfile.ZipFile(io.BytesIO(base64.b64decode(sys.argv[3]))), io.BytesIO()
+leidos = {n: z.read(n).decode() for n in z.namelist()}
+with zipfile.ZipFile(otro, "w", zipfile.ZIP_DEFLATED) as c:
+    for nombre, texto in leidos.items():
+        c.writestr(nombre, texto)
+print(json.dumps([z.testzip(), leidos, base64.b64encode(otro.getvalue()).decode()]))`, base64);
   assert.deepEqual([malo, leidos], [null, textos]);
-  const comprimido = dePython(`import base64, io, json, sys, zipfile
-b = io.BytesIO()
-with zipfile.ZipFile(b, "w", zipfile.ZIP_DEFLATED) as z:
-    for nombre, texto in json.loads(sys.argv[3]).items():
-        z.writestr(nombre, texto)
-print(json.dumps(base64.b64encode(b.getvalue()).decode()))`, JSON.stringify(textos));
   for (const datos of [zip, Buffer.from(comprimido, 'base64')]) {
     const hay = await leeZip(new File([datos], 'grua.zip'));
     for (const [ruta, texto] of Object.entries(textos)) assert.equal(await hay[ruta].text(), texto);
