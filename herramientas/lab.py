@@ -260,6 +260,9 @@ class Laboratorio:
             raise Fallo(f"web: hacen falta Emscripten, CodeMirror 5 y esbuild ({' '.join(paquetes.WEB)})")
         if self.dibuja_galeria():
             aviso("lab: la página irá sin las imágenes que faltan")
+        for p in propios.los_de_aqui(self.raiz, self.build):  # sus ejercicios, que van en la página
+            objetivo = f"{p.objetivo}_{self.sin_ventana}"
+            self.t.compila(self.build, objetivo, si_no=f"{p.capitulo.nombre} no compila, y va en la página")
         os.environ["NODE_PATH"] = "/usr/share/nodejs"  # em++ busca ahí acorn
         en = self.build / "web"
         self.t.configura("web", en)

@@ -27,24 +27,32 @@ target_link_libraries(glut_web PUBLIC comun)
 precompila_cabeceras()
 set(LAB_DESTINOS "") # programa() solo los compila
 lee_capitulos()
+include(herramientas/cmake/ejercicios.cmake)
+lee_propios()
+add_library(compara OBJECT herramientas/comparador/compara.cpp) # con él se corrige también en la página
+target_link_libraries(compara PRIVATE comun avisos)
 
 string(REGEX MATCH "^[0-9]+" llvm ${CMAKE_CXX_COMPILER_VERSION}) # el de Emscripten, que no tiene por qué ser el único
 find_program(OPT NAMES opt-${llvm} opt REQUIRED)
 set(objetos "")
 set(indice "")
-foreach(programa IN LISTS LAB_PROGRAMAS)
-  get_filename_component(nombre ${programa} NAME)
+foreach(programa IN LISTS LAB_PROGRAMAS LAB_PROPIOS ITEMS compara)
+  get_filename_component(objetivo ${programa} NAME)
+  string(REGEX REPLACE "^propio_" "" nombre ${objetivo})
   set(main main_${nombre})
-  target_compile_definitions(${nombre} PRIVATE main=${main})
-  target_compile_options(${nombre} PRIVATE -emit-llvm)
+  target_compile_definitions(${objetivo} PRIVATE main=${main})
+  target_compile_options(${objetivo} PRIVATE -emit-llvm)
   string(LENGTH ${main} largo)
   set(objeto ${CMAKE_BINARY_DIR}/objetos/${nombre})
-  add_custom_command(OUTPUT ${objeto}.o DEPENDS ${nombre} $<TARGET_OBJECTS:${nombre}>
+  add_custom_command(OUTPUT ${objeto}.o DEPENDS ${objetivo} $<TARGET_OBJECTS:${objetivo}>
     COMMAND ${OPT} -passes=internalize,globaldce -internalize-public-api-list=_Z${largo}${main}iPPc
-      $<TARGET_OBJECTS:${nombre}> -o ${objeto}.bc
+      $<TARGET_OBJECTS:${objetivo}> -o ${objeto}.bc
     COMMAND ${CMAKE_CXX_COMPILER} -Os -c ${objeto}.bc -o ${objeto}.o
     COMMENT "Apartando ${nombre}" VERBATIM)
-  list(APPEND objetos ${objeto}.o $<TARGET_OBJECTS:controles_${nombre}>)
+  list(APPEND objetos ${objeto}.o)
+  if(TARGET controles_${objetivo})
+    list(APPEND objetos $<TARGET_OBJECTS:controles_${objetivo}>)
+  endif()
   string(APPEND indice "PROGRAMA(${nombre})\n")
 endforeach()
 file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/objetos)
@@ -66,7 +74,7 @@ target_link_libraries(laboratorio PRIVATE explica glut_web)
 set_target_properties(laboratorio PROPERTIES OUTPUT_NAME lab)
 set(en_la_pagina -fexceptions -sMIN_WEBGL_VERSION=2 -sMAX_WEBGL_VERSION=2 -sALLOW_MEMORY_GROWTH=1
   -sMODULARIZE=1 -sINVOKE_RUN=0 -sEXIT_RUNTIME=0 -sFORCE_FILESYSTEM=1 -sENVIRONMENT=web
-  -sEXPORTED_RUNTIME_METHODS=FS,callMain,ccall
+  -sEXPORTED_RUNTIME_METHODS=ENV,FS,callMain,ccall
   -sEXPORTED_FUNCTIONS=_main,_glutOrden,_glutOpciones,_glutRedibuja,_explicaPregunta,_explicaResponde,_explicaCuadroVivo)
 target_link_options(laboratorio PRIVATE -Oz -sEXPORT_NAME=Laboratorio ${en_la_pagina})
 

@@ -85,11 +85,11 @@ class Comprobacion:
     """Un ejercicio que se prueba a sí mismo: se estropea como ya se sabe que se equivoca la gente (errores.tsv) y de
     muchas maneras, a máquina (perturba.py), y se juega como lo que entrega un estudiante."""
 
-    def __init__(self, raiz, build, ref, programa, temporal, hilos):
+    def __init__(self, raiz, build, ref, programa, temporal, hilos, guiones=None):
         self.raiz, self.build, self.ref, self.programa, self.hilos = raiz, build, ref, programa, hilos
         self.temporal = temporal / ref
         self.temporal.mkdir()
-        self.reglas = reglas.del_programa(programa, como_siempre=shaders.reglas(ref))
+        self.reglas = reglas.del_programa(programa, None, guiones, shaders.reglas(ref))
         self.banco = Banco(raiz, build, ref, programa, self.temporal, None, SEMILLA, self.reglas)
         self.arbitro, self.solucion = self.banco.arbitro, self.banco.compilador.solucion
         self.guiones = self.banco.todos

@@ -204,6 +204,18 @@ def elige(raiz, programas, pedido):
     return "", elegidos[0]
 
 
+def carpeta_de(raiz, programa, referencia, nombre):
+    """Los ficheros de la carpeta de quien lo hace o, si no es un ejercicio, de la copia."""
+    textos = esqueleto(raiz, programa, referencia) if referencia else solucion(raiz, programa)
+    origen = f"{programa.capitulo.nombre}/{programa.nombre}"
+    ficheros = {f"{nombre}.cpp" if f == programa.fuente.name else f: texto for f, texto in textos.items()}
+    ficheros[EJERCICIO] = f"{referencia} {origen}\n".lstrip()
+    if referencia:
+        ficheros[EJERCICIO] += f"{DE_PARTIDA} {version(textos)}\n"
+        ficheros[propios.ENUNCIADO] = enunciado(raiz, programa, referencia, nombre, textos)
+    return ficheros
+
+
 def crea(raiz, programas, mios, pedido, nombre=""):
     """MIOS/NOMBRE, entera o nada."""
     referencia, programa = elige(raiz, programas, pedido)
@@ -215,13 +227,7 @@ def crea(raiz, programas, mios, pedido, nombre=""):
         raise Fallo(
             f"nuevo: ya existe {carpeta}, y no se toca: ponle otro nombre a la nueva, ./lab nuevo {pedido} NOMBRE"
         )
-    textos = esqueleto(raiz, programa, referencia) if referencia else solucion(raiz, programa)
-    origen = f"{programa.capitulo.nombre}/{programa.nombre}"
-    ficheros = {f"{nombre}.cpp" if f == programa.fuente.name else f: texto for f, texto in textos.items()}
-    ficheros[EJERCICIO] = f"{referencia} {origen}\n".lstrip()
-    if referencia:
-        ficheros[EJERCICIO] += f"{DE_PARTIDA} {version(textos)}\n"
-        ficheros["ENUNCIADO.md"] = enunciado(raiz, programa, referencia, nombre, textos)
+    ficheros = carpeta_de(raiz, programa, referencia, nombre)
     parcial = mios / f".{nombre}.parcial"
     shutil.rmtree(parcial, ignore_errors=True)
     try:

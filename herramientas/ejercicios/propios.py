@@ -108,6 +108,11 @@ def lee(raiz, build, pedido=""):
     return hay
 
 
+def los_de_aqui(raiz, build):
+    """Los de ejercicios/, que salen en la página."""
+    return [p for p in lee(raiz, build) if p.carpeta.parent == raiz / CARPETA]
+
+
 def comprueba_nombre(raiz, carpeta, programas):
     nombre = carpeta.name
     if (carpeta / EJERCICIO).exists():

@@ -1,5 +1,5 @@
 // Lo que guarda el navegador: los ficheros cambiados y los ejercicios resueltos. Puede haberlo guardado otra página.
-import { json } from './datos.mjs';
+import { json, recuerda } from './datos.mjs';
 import { esShader } from './fuentes.mjs';
 
 /// En sessionStorage, mientras no se cierra la pestaña, o en localStorage. Con un texto, lo guarda y dice si ha podido:
@@ -25,7 +25,12 @@ export function leeCambios(texto) {
 }
 
 /// Los códigos de los ejercicios resueltos.
-export const leeResueltos = texto => new Set((texto ?? '').split(' ').filter(codigo => /^[EL]\d+\.\d+$/.test(codigo)));
+export const leeResueltos = texto =>
+  new Set((texto ?? '').split(' ').filter(codigo => /^([EL]\d+\.\d+|[a-z0-9_]+)$/.test(codigo)));
+
+/// Lo que hace falta para hacer cada ejercicio y para corregirlo (herramientas/ejercicios/en_pagina.py).
+const deTodos = recuerda(() => json('ejercicios'));
+export const deEjercicio = async codigo => (await deTodos(''))[codigo];
 
 /// Un fichero tal como está en el programa.
 export const solucion = async ruta =>
@@ -35,8 +40,9 @@ export const solucion = async ruta =>
 export class Taller {
   guardado = true; // lo último que se ha apuntado
 
-  constructor(almacen, clave, codigo) {
-    Object.assign(this, { almacen, clave, codigo });
+  /// `codigo`, el del ejercicio; `deDonde(ruta)`, dónde está en el laboratorio lo que se hace en esa ruta.
+  constructor(almacen, clave, codigo, deDonde = ruta => ruta) {
+    Object.assign(this, { almacen, clave, codigo, deDonde });
     this.relee();
     this.aparte = this.cambios.size > 0 && Boolean(recuerdo(almacen, this.#dibujando));
   }
@@ -49,9 +55,11 @@ export class Taller {
 
   relee() { this.cambios = new Map(leeCambios(recuerdo(this.almacen, this.clave))); }
 
-  async esqueleto() { return this.codigo ? (await json('esqueletos'))[this.codigo] : {}; }
-  async textos() { return { ...await this.esqueleto(), ...this.aparte ? {} : Object.fromEntries(this.cambios) }; }
-  async original(ruta) { return (await this.esqueleto())[ruta] ?? solucion(ruta); }
+  async esqueleto() { return this.codigo ? (await deEjercicio(this.codigo)).esqueleto : {}; }
+  async escritos() { return { ...await this.esqueleto(), ...Object.fromEntries(this.cambios) }; }
+  async textos() { return this.aparte ? this.esqueleto() : this.escritos(); }
+  async solucion(ruta) { return await solucion(this.deDonde(ruta)) ?? ''; }
+  async original(ruta) { return (await this.esqueleto())[ruta] ?? await solucion(ruta) ?? ''; }
 
   apunta(ruta, texto, original) {
     this.aparte = false;

@@ -2,9 +2,9 @@
 import { boton, crea, una } from '../base/documento.mjs';
 import { Compilador, cuantoPesa, SE_COMPILA } from './compilador.mjs';
 import { json } from './datos.mjs';
+import { esFuente } from './fuentes.mjs';
 import { motivoDe } from './programa.mjs';
 
-const esFuente = ruta => /\.(cpp|h)$/.test(ruta);
 const compila = una('.compila'), cancela = una('.cancela'), barra = una('.trae'), estado = una('.compila-estado'),
   lista = una('ul.dichos');
 
@@ -21,8 +21,16 @@ export class Compilacion {
     compila.textContent = `Compilar (la primera vez se traen ${cuantoPesa()})`;
   }
 
-  /// El módulo del programa, si se ha compilado lo que hay escrito en sus fuentes, o en otros.
-  modulo({ nombre }, taller) { return this.#cambios(taller).length ? this.#modulos.get(nombre) : undefined; }
+  /// El módulo del programa, si se ha compilado, mientras haya algo escrito en los fuentes; de un ejercicio, siempre.
+  modulo({ nombre }, taller, ejercicio) {
+    if (ejercicio) return this.#modulos.get(ejercicio.enlace)?.modulo;
+    return this.#cambios(taller).length ? this.#modulos.get(nombre)?.modulo : undefined;
+  }
+
+  /// Si el módulo de un ejercicio es de lo que hay escrito.
+  async alDia(ejercicio) {
+    return this.#modulos.get(ejercicio.enlace)?.de === JSON.stringify(await ejercicio.fuentes());
+  }
 
   #cambios(taller) { return [...taller.cambios].filter(([ruta]) => esFuente(ruta)); }
 
@@ -37,14 +45,18 @@ export class Compilacion {
 
   async #haz() {
     const { programa, taller, ejercicio } = this.visto();
-    if (!SE_COMPILA || !programa || ejercicio) return;
-    const cambios = this.#cambios(taller), sigue = () => this.visto().programa === programa;
+    if (!SE_COMPILA || !programa || ejercicio && !ejercicio.carpeta) return;
+    const sigue = () => this.visto().taller === taller && this.visto().programa === programa;
+    const suyos = await ejercicio?.fuentes(), cambios = suyos ? Object.entries(suyos) : this.#cambios(taller);
     try {
       await this.#trae();
       estado.textContent = 'Compilando…';
-      const fuentes = { ...await this.originales(), ...Object.fromEntries(cambios) };
-      const hecho = await this.compilador.compila(programa, fuentes, cambios.map(([ruta]) => ruta));
-      if (hecho.modulo) this.#modulos.set(programa.nombre, hecho.modulo);
+      const fuentes = { ...await this.originales(), ...ejercicio?.queNoSeVe, ...Object.fromEntries(cambios) };
+      const hay = Object.fromEntries(Object.entries(fuentes).filter(([, texto]) => texto !== undefined));
+      const hecho = await this.compilador.compila({ ...programa, carpeta: ejercicio?.carpeta }, hay,
+        cambios.map(([ruta]) => ruta));
+      if (hecho.modulo)
+        this.#modulos.set(ejercicio?.enlace ?? programa.nombre, { modulo: hecho.modulo, de: JSON.stringify(suyos) });
       if (!sigue()) return;
       this.ultimo = hecho;
       this.#di(hecho.dichos, hecho.modulo);
@@ -81,7 +93,7 @@ export class Compilacion {
   /// El programa compilado ha fallado con ese error: en qué línea, si se sabe.
   async falla(error) {
     const { programa, taller, ejercicio } = this.visto();
-    if (ejercicio || !this.modulo(programa, taller)) return;
+    if (!this.modulo(programa, taller, ejercicio)) return;
     const sitio = await this.compilador.busca(error);
     if (sitio.ruta && this.visto().programa === programa)
       this.#ensena([{ ...sitio, clase: 'error', mensaje: `Aquí ha fallado: ${motivoDe(error)}` }], 'Ha fallado.');

@@ -86,10 +86,11 @@ export class Compilador {
     });
   }
 
-  /// El programa con esos fuentes { ruta: texto }, de los que algunos han cambiado: { modulo, si sale; dichos }.
-  async compila({ nombre, capitulo }, fuentes, cambiados) {
-    const programa = `${capitulo}/${nombre}.cpp`;
-    const { dicho, wasm, tarda } = await this.#pide({ programa, fuentes, cambiados });
+  /// El programa con esos fuentes { ruta: texto }, de los que algunos han cambiado: { modulo, si sale; dichos }. El de
+  /// un ejercicio está en su carpeta, y usa también las cabeceras de su capítulo.
+  async compila({ nombre, capitulo, carpeta = capitulo }, fuentes, cambiados) {
+    const programa = `${carpeta}/${nombre}.cpp`;
+    const { dicho, wasm, tarda } = await this.#pide({ programa, fuentes, cambiados, capitulo });
     return { modulo: wasm && await WebAssembly.compile(wasm), dichos: leeDicho(dicho, fuentes), tarda };
   }
 

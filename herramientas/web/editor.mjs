@@ -3,7 +3,6 @@
 import { boton, crea, todos, una } from '../base/documento.mjs';
 import { ejecuta, json } from './datos.mjs';
 import { esShader } from './fuentes.mjs';
-import { solucion } from './almacen.mjs';
 
 const OPCIONES = { theme: 'lab', lineNumbers: true, lineWrapping: true, indentUnit: 4, matchBrackets: true,
   gutters: ['CodeMirror-linenumbers', 'dichos'],
@@ -18,6 +17,7 @@ export class Editor {
   #programa;
   #taller;
   #ejercicio; // su código, en un ejercicio
+  #compila;   // si en él se compila
   #viendo = false; // la solución
   #errores = [];
   #reloj = 0;
@@ -25,14 +25,15 @@ export class Editor {
   /// `alCompilar()`, si se puede, es lo que hace Ctrl+Intro.
   constructor({ alEscribir, alCambiar, alCompilar }) { Object.assign(this, { alEscribir, alCambiar, alCompilar }); }
 
-  /// Si se puede cambiar: en un ejercicio, de momento, solo los shaders.
-  cambiable(ruta) { return esShader(ruta) || Boolean(this.alCompilar && !this.#ejercicio); }
+  /// Si se puede cambiar: en un ejercicio de shaders, solo ellos.
+  cambiable(ruta) { return esShader(ruta) || Boolean(this.alCompilar && this.#compila); }
 
   /// Lo que viene es de ese programa o ejercicio, y se guarda en ese taller.
   estrena(programa, taller, ejercicio) {
     this.#programa = programa;
     this.#taller = taller;
-    this.#ejercicio = ejercicio;
+    this.#ejercicio = ejercicio?.codigo;
+    this.#compila = !ejercicio || Boolean(ejercicio.carpeta);
     this.#viendo = false;
     this.abierto = '';
   }
@@ -64,7 +65,7 @@ export class Editor {
     for (const b of todos('.pestanas button')) b.setAttribute('aria-pressed', b.ruta === ruta);
     await this.#descarga();
     const taller = this.#taller;
-    const texto = this.#viendo ? await solucion(ruta) : taller.cambios.get(ruta) ?? await taller.original(ruta);
+    const texto = this.#viendo ? await taller.solucion(ruta) : taller.cambios.get(ruta) ?? await taller.original(ruta);
     if (ruta !== this.abierto) return;
     this.cm.setOption('readOnly', this.#viendo || !this.cambiable(ruta));
     if (this.ruta !== ruta || this.cm.getValue() !== texto) this.#pon(ruta, texto);

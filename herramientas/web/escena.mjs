@@ -44,8 +44,8 @@ export class Escena {
   }
 
   /// Empieza un programa y repite un guion. De lo pedido, `textos()` da los ficheros que no son los originales;
-  /// `compilado()`, el programa, si no lo es; `ficheros` son los que se le dan, y `acompana(sesión, opciones)`, si lo
-  /// hay, devuelve otra sesión que hace más.
+  /// `compilado()`, el programa, si no lo es; `ficheros` son los que se le dan; `arranca`, si lo hay, es quien lo pone
+  /// en marcha, y `acompana(sesión, opciones)` devuelve otra sesión que hace más.
   async empieza(pedido, guion = '') {
     const turno = ++this.#turno, vale = () => turno === this.#turno;
     const teniaFoco = marco.contains(document.activeElement), lienzo = this.#prepara(pedido);
@@ -114,7 +114,7 @@ export class Escena {
 
   async #arranca(lienzo, vale) {
     const { programa, textos, ficheros, acompana, compilado } = this.#pedido;
-    const sesion = await arranca(programa, {
+    const sesion = await (this.#pedido.arranca ?? (como => arranca(programa, como)))({
       lienzo, ...talla(), textos: textos(), ficheros, suavizado: this.suavizado,
       compilado: compilado?.(),
       di: linea => { if (vale()) this.#di(linea); },
@@ -129,7 +129,7 @@ export class Escena {
     this.#escrito = [...this.#escrito.slice(-9), linea];
     if (this.#pedido.acompana && linea.includes('el uniform «')) return; // en un ejercicio, lo que aún no se usa
     const error = leeError(linea, this.#pedido.programa.capitulo);
-    if (error) return this.errores.push(error);
+    if (error) return this.errores.push({ ...error, ruta: this.#pedido.rutaDe?.(error.ruta) ?? error.ruta });
     if (this.#aparte) calla();
     this.#aparte = false;
     consola.hidden = false;

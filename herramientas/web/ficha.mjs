@@ -8,21 +8,25 @@ const pagina = una('#programa');
 
 export function ponFicha(programa, ejercicio) {
   scrollTo(0, 0);
-  document.title = ejercicio ? `Ejercicio ${ejercicio.codigo}: ${ejercicio.que}` : programa.titulo;
+  document.title = !ejercicio ? programa.titulo : ejercicio.propio ? ejercicio.que
+    : `Ejercicio ${ejercicio.codigo}: ${ejercicio.que}`;
   una('h1', pagina).textContent = document.title;
   const orden = una('.origen .orden');
   una('code', orden).textContent = `./lab ver ${programa.nombre}`;
   una('.copia', orden).ariaLabel = `Copiar ./lab ver ${programa.nombre}`;
   marcaEnLado(programa.nombre);
-  const [referencias, libro] = document.getElementById('libro:' + programa.nombre).content.cloneNode(true).children;
-  una('.de-que').replaceChildren(referencias);
-  una('.del-libro', pagina).replaceChildren(libro);
+  const suyo = document.getElementById('libro:' + programa.nombre)?.content.cloneNode(true).children ?? [];
+  pagina.classList.toggle('de-clase', Boolean(ejercicio?.propio)); // su solución no la tiene quien la mira
+  // lo primero, al ponerlo en su sitio, deja de estar en la plantilla
+  for (const donde of [una('.de-que'), una('.del-libro', pagina)]) donde.replaceChildren(...[suyo[0]].filter(Boolean));
   pagina.classList.toggle('de-consola', programa.consola);
   pagina.classList.toggle('en-ejercicio', Boolean(ejercicio));
-  const capitulo = una(`#${programa.capitulo} h2`).textContent;
-  Object.assign(una('.de-capitulo'), { href: '#' + programa.capitulo, textContent: capitulo });
+  pagina.classList.toggle('con-carpeta', Boolean(ejercicio?.carpeta));
+  const capitulo = ejercicio?.propio ? 'ejercicios' : programa.capitulo;
+  Object.assign(una('.de-capitulo'), { href: '#' + capitulo, textContent: una(`#${capitulo} h2`).textContent });
   ponVecinos(programa, ejercicio);
-  const enlaces = ejercicio ? [enlazaSalida(programa)] : programa.ejercicios.map(enlazaEjercicio);
+  const salida = ejercicio?.propio ? [] : [enlazaSalida(programa)];
+  const enlaces = ejercicio ? salida : programa.ejercicios.map(enlazaEjercicio);
   una('.a-ejercicios', pagina).replaceChildren(...enlaces);
   ponResueltos();
 }

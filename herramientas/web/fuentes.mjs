@@ -2,6 +2,7 @@
 import { corta } from './textos.mjs';
 
 export const esShader = ruta => /\.(vert|frag|glsl)$/.test(ruta);
+export const esFuente = ruta => /\.(cpp|h)$/.test(ruta);
 
 const TIPOS = ['frag', 'vert', 'glsl', 'cpp', 'h'];
 
@@ -19,6 +20,12 @@ export function incluidas(ruta, textos, hay = new Set()) {
       incluidas(otra, textos, hay);
     }
   return hay;
+}
+
+/// Los ficheros de la carpeta de un ejercicio: delante, los que se piden.
+export function deLaCarpeta(piden, textos) {
+  const rutas = Object.keys(textos).filter(ruta => esShader(ruta) || esFuente(ruta));
+  return [...piden, ...ordenaFuentes(rutas.filter(ruta => !piden.includes(ruta)), 'mios/')];
 }
 
 /// Los shaders que se enseñan en un ejercicio: los suyos, su pareja y los que se incluyen.

@@ -5,8 +5,10 @@ import { atiendeBuscador } from '../base/buscador.mjs';
 import { acomodaLado, sigueEnLado } from '../base/lado.mjs';
 import { Taller } from './almacen.mjs';
 import { ensenaCatalogo } from './catalogo.mjs';
+import { loSoltado } from './carpeta.mjs';
 import { Compilacion } from './compilacion.mjs';
 import { SE_COMPILA } from './compilador.mjs';
+import { Correccion } from './correccion.mjs';
 import { json } from './datos.mjs';
 import { avisa, todos, una } from '../base/documento.mjs';
 import { guarda } from './descarga.mjs';
@@ -18,7 +20,7 @@ import { atiendeTeclado } from './entrada.mjs';
 import { Escena } from './escena.mjs';
 import { ensenaCaso, ponCasos, ponFicha } from './ficha.mjs';
 import { cierraExplicado, ensena } from './explicado.mjs';
-import { delEjercicio, esShader, incluidas, ordenaFuentes } from './fuentes.mjs';
+import { deLaCarpeta, delEjercicio, esShader, incluidas, ordenaFuentes } from './fuentes.mjs';
 import { casoInicial } from './guiones.mjs';
 import { copiaLinea, incrusta, lineaDe } from './incrustado.mjs';
 import { ponMandos } from './mandos.mjs';
@@ -28,6 +30,7 @@ import { Propios } from './propios.mjs';
 import { apunta, atiendePunteria } from './punteria.mjs';
 import { atiendeProyeccion, completa, proyecta } from './proyeccion.mjs';
 
+export { deEjercicio } from './almacen.mjs';
 export { arranca } from './programa.mjs';
 
 /// Lo que se ve: { programa, ejercicio, taller, caso, explicado }; nada, en el catálogo.
@@ -39,7 +42,10 @@ let explicando = Promise.resolve();
 
 export const escena = new Escena({ alArrancar, alRecargar, alFallar: error => compilacion.falla(error) });
 export const editor = new Editor({
-  alEscribir: () => visto.ejercicio?.olvidaRevision(),
+  alEscribir: () => {
+    visto.ejercicio?.olvidaRevision();
+    correccion.olvida();
+  },
   alCambiar: (fichero, texto) => esShader(fichero) ? conCuidado(() => escena.cambia(fichero, texto)) : editor.marca(),
   alCompilar: SE_COMPILA && compila,
 });
@@ -49,7 +55,13 @@ export const compilacion = new Compilacion({
   alCompilar: () => conCuidado(() => escena.repite()),
   vaA: sitio => editor.vaA(sitio),
 });
-const propios = new Propios(() => empieza());
+export const correccion = new Correccion({ compilacion,
+  ensena: async (guion, pixel) => {
+    await empieza(guion);
+    una('.cuadros').scrollIntoView({ block: 'nearest' }); // en un teléfono no se vería
+    await explicaEn(pixel);
+  } });
+const propios = new Propios(() => empieza(), abreSoltado);
 
 /// Los de los shaders y los de los fuentes.
 const errores = () => [...escena.errores, ...compilacion.dichos];
@@ -63,10 +75,44 @@ async function compila() {
 function empieza(guion) {
   dejaDeExplicar();
   const { programa, ejercicio, taller } = visto;
-  const acompana = ejercicio && ((sesion, opciones) => ejercicio.conObjetivo(sesion, opciones));
+  const deEjercicio = ejercicio && { programa: ejercicio.suyo, arranca: opciones => ejercicio.arranca(opciones),
+    acompana: (sesion, opciones) => ejercicio.conObjetivo(sesion, opciones), rutaDe: ruta => ejercicio.rutaDe(ruta) };
   return conCuidado(() =>
-    escena.empieza({ programa, textos: () => taller.textos(), ficheros: propios.ficheros, acompana,
-      compilado: () => ejercicio ? undefined : compilacion.modulo(programa, taller) }, guion));
+    escena.empieza({ programa, textos: () => taller.textos(), ficheros: propios.ficheros,
+      compilado: () => compilacion.modulo(programa, taller, ejercicio), ...deEjercicio }, guion));
+}
+
+/// Lo de un ejercicio que se ha soltado en la página: va a él y lo abre. Falso, si no es eso.
+function abreSoltado(dataTransfer) {
+  const lee = loSoltado(dataTransfer);
+  if (lee) abreCarpeta(lee).catch(({ message }) => {
+    if (visto.programa) avisa(message);
+    else Object.assign(una('#no-esta'), { hidden: false, textContent: message }).scrollIntoView();
+  });
+  return Boolean(lee);
+}
+
+async function abreCarpeta(lee) {
+  const hay = await lee(), suyo = hay.codigo && EJERCICIOS.find(e => e.codigo === hay.codigo);
+  if (hay.codigo && !suyo) throw new Error(`La carpeta es de «${hay.codigo}», que no es un ejercicio de esta página.`);
+  if (!suyo && !visto.ejercicio) throw new Error('No se sabe de qué ejercicio es: entra en él y suéltalo allí.');
+  await editor.aplicaYa();
+  if (suyo && visto.ejercicio?.codigo !== suyo.codigo) {
+    location.hash = suyo.enlace;
+    navega();
+  }
+  const { ejercicio, taller } = visto;
+  if (taller.cambios.size && !confirm('Aquí ya hay algo escrito. ¿Cambiarlo por lo que se ha soltado?')) return;
+  await ejercicio.abre(hay);
+  ejercicio.olvidaRevision();
+  correccion.olvida();
+  await empiezaCaso();
+  avisa(`Abierto: ${Object.keys(hay.fuentes).join(', ')}.`);
+}
+
+async function corrige() {
+  await editor.aplicaYa();
+  return correccion.hazla(visto.ejercicio);
 }
 
 /// Hace algo con lo escrito, apuntado hasta que se ve: leer un píxel espera a que esté dibujado.
@@ -89,11 +135,13 @@ export function empiezaCaso(caso = casoInicial(visto.programa)) {
 
 /// Los ficheros del programa: los que nombra y los que ha leído.
 function alArrancar() {
-  const { programa, ejercicio } = visto, { leidos, vivo } = escena.sesion;
+  const { programa, ejercicio, taller } = visto, { leidos, vivo } = escena.sesion;
   const shaders = [...leidos].map(r => r.replace(/^\/lab\//, '')).filter(r => /^ch/.test(r) && esShader(r));
   const todas = ordenaFuentes([...shaders, ...programa.fuentes], programa.capitulo);
-  editor.ensena(ejercicio ? delEjercicio(Object.keys(ejercicio.pide), todas) : todas, errores(), vivo,
-    SE_COMPILA && !ejercicio && (() => deComun(programa)))
+  const rutas = ejercicio?.carpeta ? taller.escritos().then(textos => deLaCarpeta(Object.keys(ejercicio.pide), textos))
+    : ejercicio ? delEjercicio(Object.keys(ejercicio.pide), todas) : todas;
+  Promise.resolve(rutas).then(rutas => taller === visto.taller &&
+    editor.ensena(rutas, errores(), vivo, SE_COMPILA && !ejercicio && (() => deComun(programa))))
     .catch(error => avisa(`No se pueden ver los ficheros: ${error.message}`));
   ejercicio?.comparaPronto();
 }
@@ -143,6 +191,7 @@ function navega() {
   if (caso && visto.programa === programa && !visto.ejercicio && guion === undefined)
     return empiezaCaso(caso).then(() => explicaEn(pixel));
   visto.ejercicio?.deja();
+  correccion.olvida();
   escena.cierra();
   visto = { programa };
   compilacion.olvida();
@@ -164,10 +213,12 @@ function entra(datos, caso, guion) {
   const ejercicio = datos && new Ejercicio(datos, { escena, empiezaCaso, recien: guion === undefined });
   visto = { programa, ejercicio, taller: ejercicio?.taller ?? libre };
   ponFicha(programa, ejercicio);
-  editor.estrena(programa, visto.taller, ejercicio?.codigo);
+  editor.estrena(programa, visto.taller, ejercicio);
   ponMandos(programa, escena);
   ponCasos(programa, vaACaso);
-  ejercicio?.pon(() => editor.cambiaDeVista());
+  ejercicio?.pon(() => editor.cambiaDeVista(), corrige);
+  if (ejercicio?.seCompila && compilacion.compilador.listo && !compilacion.modulo(programa, visto.taller, ejercicio))
+    compila();
   if (guion === undefined) return empiezaCaso(caso);
   ensenaCaso();
   return empieza(guion);
@@ -206,6 +257,7 @@ export function explica(pixel, llama = true) {
 async function explicaYa(pixel, llama) {
   const { sesion } = escena, { taller } = visto;
   if (!sesion?.vivo) return;
+  if (sesion.vacio) return avisa('Lo tuyo se explica cuando está compilado.');
   if (llama) avisa(pixel ? 'Mirando ese píxel…' : 'Mirando cómo se dibuja…');
   const estaba = escena.quieta, ordenes = [...escena.hecho.ordenes];
   escena.quieta = true;

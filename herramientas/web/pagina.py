@@ -16,7 +16,8 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 from base import catalogo, controles, fuentes, indice, libro, marcas, paginas
-from base.procesos import ejecuta, escribe, principal
+from base.procesos import Fallo, ejecuta, escribe, principal
+from ejercicios import en_pagina, propios
 from web import taller
 
 PLANTILLA = Path(__file__).with_name("web.html")
@@ -63,7 +64,8 @@ class ProgramaVivo:
                 {"titulo": c.titulo or "Al empezar", "fichero": c.fichero, "guion": c.guion, "mira": c.mira}
                 for c in p.casos
             ],
-            "fuentes": [str(f) for f in fuentes.alcanza(self.raiz, p.fuente)],
+            "fuentes": [str(f) for f in fuentes.alcanza(self.raiz, p.fuente)] if not p.raices else [],
+            "raices": [f"/lab/{p.capitulo.nombre}"] if p.raices else [],
             "texturas": sorted(Path(f).name for f in self.leidos if f.endswith(TEXTURAS)),
             "admite": p.admite,
         }
@@ -98,9 +100,19 @@ class Pagina:
     def shaders(self):
         return self.textos(*(f"c*/**/*{e}" for e in SHADERS))
 
-    def listados(self):
-        """Los que se pueden hacer en la página: qué pide cada uno en cada shader."""
-        return {codigo: pide for codigo, pide in marcas.que_piden(self.shaders()).items() if codigo.startswith("L")}
+    def de_quien_ensena(self):
+        """Los programas de sus ejercicios, que tienen que estar compilados sin ventana y en lab.wasm."""
+        suyos = propios.los_de_aqui(self.raiz, self.build.parent)
+        for p in suyos:
+            if not p.ejecutable(self.build.parent).is_file():
+                raise Fallo(f"{p.capitulo.nombre} no está compilado: lo hace ./lab web")
+        return suyos
+
+    def ejercicios(self, capitulos):
+        """Los que se hacen en la página: los de shaders y, si en ella se compila, los demás, con su programa."""
+        programas = [*(p for c in capitulos for p in c.programas), *self.de_quien_ensena()]
+        hay = en_pagina.los_que_hay(self.raiz, programas)
+        return hay if taller.paquete(self.build) else {r: p for r, p in hay.items() if r.startswith("L")}
 
     def guion(self):
         """Los módulos de la página en un solo guion, porque de file:// un navegador no los carga."""
@@ -131,17 +143,15 @@ class Pagina:
         for parte in ("js", "wasm"):
             self.empaqueta(parte, (self.build / f"lab.{parte}").read_bytes())
         shaders = self.shaders()
-        self.empaqueta("shaders", {**shaders, **self.textos("assets/*.txt", "assets/*.vf")})
-        self.empaqueta(
-            "esqueletos",
-            {
-                codigo: {f: marcas.esqueleto(shaders[f], codigo) for f in pide}
-                for codigo, pide in self.listados().items()
-            },
-        )
+        suyos = self.textos(*(f"{propios.CARPETA}/*/*{e}" for e in (*SHADERS, ".vf")))
+        self.empaqueta("shaders", {**shaders, **suyos, **self.textos("assets/*.txt", "assets/*.vf")})
+        hechos = lambda e: (e[0], en_pagina.datos(self.raiz, self.build.parent, e[1], e[0]))
+        with ThreadPoolExecutor(os.cpu_count()) as hilos:
+            self.empaqueta("ejercicios", dict(hilos.map(hechos, self.ejercicios(capitulos).items())))
         self.empaqueta("indice", indice.hace(self.raiz, capitulos, libro.Libro(self.raiz)))
         self.empaqueta("codigo", {f: marcas.publico(self.raiz, f) for f in self.textos("ch*/*.cpp", "ch*/*.h")})
-        for codigo in set(marcas.ocultos(self.raiz)) & set(marcas.que_piden(shaders)):
+        ocultos = {*marcas.ocultos(self.raiz), *(p.nombre for p in self.de_quien_ensena())}
+        for codigo in ocultos & set(marcas.que_piden({**shaders, **suyos})):
             print(f"Aviso: {codigo} se hace en un shader, y la página lo lleva resuelto: lo dibuja", file=sys.stderr)
         guiones = ("lib/codemirror.js", "mode/clike/clike.js", "addon/edit/matchbrackets.js")
         self.empaqueta(
@@ -158,15 +168,14 @@ class Pagina:
     def escribe_indice(self, capitulos, antes=lambda: None, taller=None):
         programas = [p for capitulo in capitulos for p in capitulo.programas]
         self.destino.mkdir(parents=True, exist_ok=True)
-        del_libro, listados = libro.Libro(self.raiz, capitulos), self.listados()
+        del_libro, hay = libro.Libro(self.raiz, capitulos), self.ejercicios(capitulos)
+        ensenados = [p for p in hay.values() if p.raices]
         with ThreadPoolExecutor(os.cpu_count()) as hilos:
-            datos = [p.datos() for p in hilos.map(lambda p: ProgramaVivo(self.raiz, self.build.parent, p), programas)]
-        for p, d in zip(programas, datos):
-            d["ejercicios"] = [
-                {"codigo": c, "que": del_libro.cosas[c].que, "pide": listados[c]}
-                for c in p.referencias
-                if c in listados
-            ]
+            vivos = hilos.map(lambda p: ProgramaVivo(self.raiz, self.build.parent, p), [*programas, *ensenados])
+            datos = [p.datos() for p in vivos]
+        for p, d in zip([*programas, *ensenados], datos):
+            suyos = [c for c in p.referencias if hay.get(c) is p]
+            d["ejercicios"] = [en_pagina.resumen(self.raiz, p, c, del_libro) for c in suyos]
         casos = [p.casos[0] for p in programas] + [c.caso_de_portada for c in capitulos if c.caso_de_portada]
         miniaturas = {caso.fichero: self.miniatura(caso) for caso in casos}
         guion = self.guion()
@@ -176,7 +185,8 @@ class Pagina:
             PLANTILLA,
             capitulos=capitulos,
             libro=del_libro,
-            programas=datos,
+            programas=datos[: len(programas)],
+            ensenados=datos[len(programas) :],
             miniaturas=miniaturas,
             ejercicios={p["nombre"]: p["ejercicios"] for p in datos},
             guion=guion,

@@ -36,16 +36,20 @@ const espera = guion => guion.split(';').reduce((ms, orden) => {
 export const motivoDe = error =>
   MOTIVOS.find(([que]) => que.test(String(error?.message ?? error)))?.[1] ?? String(error);
 
-/// Arranca un programa en un lienzo. `di(línea)` recibe lo que escribe; `titulo(texto)`, el de la ventana; `ficheros`
-/// son los que se le dan además de los del laboratorio; `textos`, los que no son los originales; `compilado`, el módulo
-/// del que se ha compilado en la página, si no es el original. Devuelve lo que se puede hacer con él.
-export async function arranca(programa,
-  { lienzo, ancho, alto, textos = {}, ficheros = {}, suavizado = true, compilado, di = () => {}, titulo = () => {} }) {
+/// Arranca un programa en un lienzo. `titulo(texto)` recibe el de la ventana; `ficheros`
+/// son los que se le dan además de los del laboratorio; `textos`, los que no son los originales (sin texto, los que no
+/// están); `raices`, dónde los busca antes; `compilado`, el módulo del que se ha compilado en la página, si no es el
+/// original; `argumentos` y `entorno`, los suyos. De lo que escribe, `di(línea, si es un error)`. Devuelve lo que se
+/// puede hacer con él.
+export async function arranca(programa, { lienzo, ancho, alto, textos = {}, ficheros = {}, suavizado = true, compilado,
+  raices = programa.raices, argumentos = [], entorno = {}, di = () => {}, titulo = () => {} }) {
   const [modulo, shaders, suyos] =
     await Promise.all([compilado ?? laboratorio(), json('shaders'), textos, ...programa.texturas.map(bytes)]);
   let lanzada;
   const lab = await (compilado ? LaboratorioDelTaller : Laboratorio)({
-    canvas: lienzo, suavizado, thisProgram: programa.nombre, print: di, printErr: di, titulo,
+    canvas: lienzo, suavizado, thisProgram: programa.nombre, print: linea => di(linea), titulo,
+    printErr: linea => di(linea, true),
+    preRun: ({ ENV }) => Object.assign(ENV, entorno, raices.length && { LAB_RAIZ: raices.join(':') }),
     instantiateWasm: (lo, recibe) => {
       if (compilado) ponTodas(lo.env, error => { lanzada = error; });
       WebAssembly.instantiate(modulo, lo).then(recibe);
@@ -56,7 +60,8 @@ export async function arranca(programa,
     lab.FS.mkdirTree(ruta.replace(/\/[^/]*$/, ''));
     lab.FS.writeFile(ruta, datos);
   };
-  for (const [ruta, texto] of Object.entries({ ...shaders, ...suyos })) escribe('/lab/' + ruta, texto);
+  for (const [ruta, texto] of Object.entries({ ...shaders, ...suyos }))
+    if (texto !== undefined) escribe('/lab/' + ruta, texto);
   for (const t of programa.texturas) escribe(`/lab/assets/${t}`, await bytes(t));
   for (const [ruta, datos] of Object.entries(ficheros)) escribe(ruta, datos);
   const leidos = new Set(), abre = lab.FS.open;
@@ -71,11 +76,12 @@ export async function arranca(programa,
       throw typeof error === 'number' ? lanzada ?? error : error;
     }
   };
-  let estado = da(() => lab.callMain(['-geometry', `${ancho}x${alto}`, ...Object.keys(ficheros)])) || 0;
+  let estado = da(() => lab.callMain(['-geometry', `${ancho}x${alto}`, ...argumentos, ...Object.keys(ficheros)])) || 0;
   return {
     lienzo, leidos,
     get vivo() { return !estado; },
     get fallo() { return estado > 0; }, // −1: ha terminado bien
+    get estado() { return estado; },
     escribe: (ruta, texto) => escribe('/lab/' + ruta, texto),
     lee: ruta => lab.FS.readFile(ruta),
     /// Un trozo de guion. Si el programa termina, deja de estar vivo.

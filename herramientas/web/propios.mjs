@@ -12,7 +12,8 @@ export class Propios {
   #suyos = [];
   #cuenta = 0; // dos ficheros pueden llamarse igual
 
-  constructor(alTenerlos) {
+  /// De lo que se suelta en la página, `esDeOtro(dataTransfer)` se queda lo que no es para un programa.
+  constructor(alTenerlos, esDeOtro) {
     this.alTenerlos = alTenerlos;
     entrada.onchange = () => this.#abre([...entrada.files]).then(() => { entrada.value = ''; });
     una('.fichero').addEventListener('keydown', suceso => {
@@ -21,6 +22,7 @@ export class Propios {
     addEventListener('dragover', suceso => suceso.preventDefault());
     addEventListener('drop', suceso => {
       suceso.preventDefault();
+      if (esDeOtro(suceso.dataTransfer)) return;
       if (this.#programa && !this.#programa.admite) avisa('Este programa no lee ficheros.');
       else this.#abre([...suceso.dataTransfer.files]);
     });

@@ -97,7 +97,7 @@ class Taller:
         for f in comun.rglob("*.o"):
             yield f"obj/comun/{f.relative_to(comun)}", f.read_bytes()
         for f in self.build.glob("CMakeFiles/controles_*.dir/controles/*.o"):
-            yield f"obj/controles/{f.name.replace('.cpp', '')}", f.read_bytes()
+            yield f"obj/controles/{f.name.replace('.cpp', '').removeprefix('propio_')}", f.read_bytes()
 
     def arbol(self):
         """Todo en un tar, que es como lo toma el compilador: cada carpeta, antes que lo suyo y sin «/» al final."""

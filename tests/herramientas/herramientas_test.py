@@ -16,7 +16,7 @@ import pytest
 
 import lab
 from base import catalogo, controles, defectos, evidencia, fuentes, guiones, libro, marcas, paginas, procesos
-from ejercicios import nuevo
+from ejercicios import en_pagina, nuevo
 from ejercicios.corrige import entrega, shaders
 from galeria import dibuja
 from galeria.pagina import AQUI as GALERIA, MODULOS, PaginaGaleria
@@ -212,7 +212,8 @@ def test_cada_enlace_de_la_galeria_lleva_a_algo(tmp_path, en_marcha):
     assert enlaces and not {e for e in enlaces - hay if not (e.endswith(".png") or e.startswith("data:"))}
 
 
-def test_lo_oculto_no_se_ensena(tmp_path):
+def test_lo_oculto_no_se_ensena(tmp_path, monkeypatch):
+    monkeypatch.setattr(controles, "atiende", lambda *_, **__: (set(), []))
     raiz = tmp_path / "lab"
     raiz.mkdir()
     for f in RAIZ.iterdir():
@@ -220,6 +221,10 @@ def test_lo_oculto_no_se_ensena(tmp_path):
     codigos = marcas.que_piden({f: f.read_text() for f in FUENTES})
     (raiz / "ocultos.txt").write_text("\n".join(codigos) + "  # los de este curso")
     PaginaGaleria(raiz, tmp_path / "galeria", catalogo.lee(BUILD)).escribe()
+    hay = en_pagina.los_que_hay(raiz, catalogo.lee_programas(BUILD)).items()
+    datos = [en_pagina.datos(raiz, BUILD, p, ref) for ref, p in hay if ref.startswith("E")]
+    assert len(datos) > 5 and all(en_pagina.resumen(raiz, p, r, libro.Libro(raiz))["que"] for r, p in hay)
+    (tmp_path / "galeria/datos.txt").write_text("\n".join(t for d in datos for t in d["esqueleto"].values()))
     escritos = "".join(f.read_text() for f in (tmp_path / "galeria").rglob("*.*"))
     se_lee = html.unescape(re.sub("<[^>]+>", "", escritos.replace('\\"', '"')))
     hechas = {

@@ -12,9 +12,10 @@ from types import SimpleNamespace
 import pytest
 
 from banco import BUILD, RAIZ, con_catalogo
-from base import catalogo, defectos
+from base import catalogo, controles, defectos
+from base.marcas import TROZO
 from base.procesos import Fallo
-from ejercicios import comprueba, nuevo, perturba, propios, reglas
+from ejercicios import comprueba, en_pagina, nuevo, perturba, propios, reglas
 from ejercicios.corrige import clase as de_clase
 from ejercicios.corrige import informes, shaders, veredicto
 from ejercicios.corrige.banco import Banco
@@ -99,6 +100,22 @@ def test_se_usa_como_cualquier_otro(lab):
     lab("ver mios/el_mio/", dice="lo he dibujado en el_mio.png")
     assert lab.deja("el_mio.png", b"\x89PNG")
     lab("corrige el_mio", 1, "no dice de qué ejercicio es")
+
+
+def test_en_la_pagina_va_lo_que_se_reparte_y_no_la_solucion(tmp_path, monkeypatch):
+    monkeypatch.setattr(controles, "atiende", lambda *_, **__: (set(), ["Más aspas"]))
+    programa = propios.propio(escribe(tmp_path / "molinete", reglas_txt="caso = 3\nguiones = 2\n"))
+    datos = en_pagina.datos(RAIZ, BUILD, programa, "molinete")
+    resumen = en_pagina.resumen(RAIZ, programa, "molinete", SimpleNamespace(cosas={}))
+    va = json.dumps([resumen, datos], ensure_ascii=False)
+    pedido = [linea.strip() for t in TROZO.finditer(CPP) for linea in t["hecho"].splitlines()]
+    assert len(pedido) == 6 and not [linea for linea in pedido if linea in va]
+    reparte = {f"mios/molinete/{f}": t for f, t in nuevo.carpeta_de(RAIZ, programa, "molinete", "molinete").items()}
+    assert reparte == datos["esqueleto"] | {f"mios/molinete/{f}": t for f, t in datos["sueltos"].items()}
+    assert (
+        resumen["oculto"] and resumen["que"] == "Un molinete" and [*resumen["pide"]] == ["mios/molinete/molinete.cpp"]
+    )
+    assert [g["vale"] for g in datos["guiones"]] == [3, 3, 3, 1, 1] and datos["palabras"]["tecla g"] == "pulsa g"
 
 
 CPP, ERRORES = FICHEROS["molinete.cpp"], FICHEROS["errores.tsv"]

@@ -4,6 +4,7 @@ import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
+import { haceZip, leeZip } from '../../herramientas/web/carpeta.mjs';
 import { leeCambios, leeResueltos, recuerdo, Taller } from '../../herramientas/web/almacen.mjs';
 import { bytes, descomprime } from '../../herramientas/web/datos.mjs';
 import { cifra } from '../../herramientas/base/cuadro.mjs';
@@ -14,8 +15,10 @@ import { BOTONES, Gestos } from '../../herramientas/web/gestos.mjs';
 import { casoInicial, Hecho, leeGuion, LIMITES, Reloj, repite } from '../../herramientas/web/guiones.mjs';
 import { compara, esPpm, porciento, ppmDe, quepa, tallaDe, TOLERA } from '../../herramientas/web/imagenes.mjs';
 import { conInclusiones, lineasDe } from '../../herramientas/web/lineas.mjs';
+import { acorta, aparte, nota } from '../../herramientas/web/nota.mjs';
 import { ordenDeTecla } from '../../herramientas/web/teclas.mjs';
 import { nombreLlano } from '../../herramientas/web/textos.mjs';
+import { dePython } from './navegador.mjs';
 
 const [raiz, build] = process.argv.slice(2);
 const programas = JSON.parse(readFileSync(`${build}/catalogo.json`)).flatMap(capitulo => capitulo.programas);
@@ -392,6 +395,61 @@ test('los ejercicios: lo guardado y sus ficheros', () => {
     ['L5.1 L12.1', 'L5.1 L12.1'], ['', ''], [null, ''], ['{"a": 1} L5 <b> L5.1', 'L5.1']);
   tabla((suyos, rutas) => delEjercicio(suyos, rutas.split(' ')).join(' '),
     [['c/a.vert'], 'c/b.frag c/a.frag c/a.vert c/p.glsl c/a.cpp c/a.h', 'c/a.vert c/a.frag c/p.glsl']);
+});
+
+test('la carpeta, en un .zip que se lee con cualquiera', async () => {
+  const textos = { 'grua/grua.cpp': 'int main() {}\n', 'grua/año.h': '// ñ\n', 'grua/ejercicio.txt': 'E3.5 c/grua\n' };
+  const zip = haceZip(textos), base64 = Buffer.from(await zip.arrayBuffer()).toString('base64');
+  const [malo, leidos, comprimido] = dePython(`import base64, io, json, sys, zipfile
+z, otro = zipfile.ZipFile(io.BytesIO(base64.b64decode(sys.argv[3]))), io.BytesIO()
+leidos = {n: z.read(n).decode() for n in z.namelist()}
+with zipfile.ZipFile(otro, "w", zipfile.ZIP_DEFLATED) as c:
+    for nombre, texto in leidos.items():
+        c.writestr(nombre, texto)
+print(json.dumps([z.testzip(), leidos, base64.b64encode(otro.getvalue()).decode()]))`, base64);
+  assert.deepEqual([malo, leidos], [null, textos]);
+  for (const datos of [zip, Buffer.from(comprimido, 'base64')]) {
+    const hay = await leeZip(new File([datos], 'grua.zip'));
+    for (const [ruta, texto] of Object.entries(textos)) assert.equal(await hay[ruta].text(), texto);
+  }
+  await assert.rejects(leeZip(new File(['no'], 'no.zip')), /está estropeado, o no es un .zip/);
+});
+
+test('lo que vale una entrega, como lo dice ./lab corrige', () => {
+  const casos = dePython(`import json, random
+from dataclasses import asdict
+from types import SimpleNamespace
+from ejercicios.corrige import arbitro, veredicto
+from ejercicios.corrige.partidas import Guion
+from ejercicios.reglas import Reglas
+azar, casos = random.Random(1), []
+for _ in range(2000):
+    cuesta = lambda: azar.choice([0, 0.04, 12.5, 20])
+    reglas = Reglas(azar.choice([1, 2, 3.5]), azar.choice([0.5, 1]), 24, "amplia", azar.choice([0, 30, 50, 100]),
+                    cuesta(), cuesta(), cuesta())
+    todos = [Guion(str(i), (), azar.random() < 0.3) for i in range(azar.randint(1, 12))]
+    son = {g: azar.choice([1, 1, 1, 0.5, 0]) for g in todos}
+    partida = lambda: SimpleNamespace(titulos=azar.choices("ab", k=azar.randint(0, 2)), estado=azar.choice([0, 0, 3]),
+                                      texto="\\n".join(azar.choices(["a", "b", "ab", ""], k=azar.randint(0, 3))))
+    debe, es = partida(), partida()
+    otros = arbitro.aparte(debe, es)
+    cuales = lambda cuanto: [g for g in todos if son[g] == cuanto]
+    casos.append([[{"vale": reglas.peso(g), "parecido": son[g]} for g in todos], vars(debe), vars(es), asdict(reglas),
+                  [*otros.values()], veredicto.nota(todos, cuales(1), cuales(0.5), otros, reglas)])
+print(json.dumps(casos))`);
+  const enLineas = p => ({ ...p, texto: p.texto.split('\n') });
+  for (const [guiones, debe, es, reglas, otros, suya] of casos) {
+    const hay = aparte(enLineas(debe), enLineas(es));
+    assert.deepEqual([Object.values(hay), nota(guiones, hay, reglas)], [otros, suya]);
+  }
+});
+
+test('un guion se acorta hasta lo que basta', async () => {
+  const basta = (...hacen) => ordenes => hacen.every(h => ordenes.some(o => o.split(' ×')[0] === h));
+  for (const [ordenes, hacen, quedan] of [['a b c d e', 'e', 'e'], ['a b c d e f g', 'b f', 'b f'],
+    ['a ×30 b ×5 c', 'a c', 'a c'], ['a', 'a', 'a']])
+    assert.deepEqual(await acorta(ordenes.replaceAll(' ×', '_').split(' ').map(o => o.replace('_', ' ×')),
+      basta(...hacen.split(' ')), 40), quedan.split(' '));
 });
 
 test('los errores de los shaders', () => {

@@ -21,6 +21,15 @@ from ejercicios.corrige.shaders import DeShaders, MotivosDeShaders
 VIEJA = 86400  # segundos que se guarda lo jugado por otra versión
 
 
+def guiones(raiz, build, programa, ref, semilla, reglas, entorno):
+    """Los que juegan todos, si valen algo: los casos y los que son al azar."""
+    casos = (
+        shaders.guiones(raiz, build, programa, entorno) if nuevo.es_de_shaders(ref) else partidas.de_los_casos(programa)
+    )
+    azar = partidas.al_azar(raiz, build, programa, f"{ref} {semilla}", reglas.guiones, entorno)
+    return [g for g in (*casos, *azar) if reglas.peso(g)]
+
+
 class Banco:
     def __init__(self, raiz, build, ref, programa, temporal, jaula, semilla, reglas):
         self.reglas = reglas
@@ -35,11 +44,7 @@ class Banco:
         self.compilador = (DeShaders if con_shaders else Compilador)(raiz, build, programa, ref, recinto)
         self.de_partida = nuevo.esqueleto(raiz, programa, ref), "" if con_shaders else programa.fuente.name
         self.dados = self.de_partida[0], nuevo.solucion(raiz, programa, ref)  # lo que no es de nadie (parecidos.py)
-        todos = [
-            *(shaders.guiones(raiz, build, programa, entorno) if con_shaders else partidas.de_los_casos(programa)),
-            *partidas.al_azar(raiz, build, programa, f"{ref} {semilla}", reglas.guiones, entorno),
-        ]
-        self.todos = [g for g in todos if reglas.peso(g)]
+        self.todos = guiones(raiz, build, programa, ref, semilla, reglas, entorno)
         self.arbitro = Arbitro(build, self.compilador, recinto, temporal, reglas.tolerancia)
         self.clave = suma(*self.lo_que_lo_cambia(build))
         self.arbitro.cache = self.cache(build / "corrige" / ref)

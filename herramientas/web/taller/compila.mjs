@@ -71,10 +71,10 @@ async function clang(orden, ficheros) {
 }
 
 async function compila(ruta, fuentes, ...mas) {
-  const capitulo = ruta.split('/')[0];
+  const carpeta = ruta.replace(/\/[^/]*$/, '');
   const pre = ['-include-pch', '/obra/pre.pch', '-Xclang', '-fno-pch-timestamp', '-Xclang',
     '-fno-validate-pch'];
-  const { bien, obra, dicho } = await clang([...COMO, ...VIGILADO, ...mas, `-I/lab/${capitulo}`, ...pre, '-c',
+  const { bien, obra, dicho } = await clang([...COMO, ...VIGILADO, `-I/lab/${carpeta}`, ...mas, ...pre, '-c',
     `/lab/${ruta}`, '-o', '/obra/salida.o'], { ...fuentes, ...PRE_H, '/obra/pre.pch': precompilada });
   return { objeto: bien && obra['salida.o'], dicho };
 }
@@ -87,10 +87,12 @@ async function precompila() {
   return new Uint8Array(await new Blob(escrito).arrayBuffer());
 }
 
-/// El programa y, de common/, los que hay que volver a compilar: los cambiados y los que incluyen algo cambiado.
+/// El programa, los demás de la carpeta de un ejercicio y, de common/, los que hay que volver a compilar: los cambiados
+/// y los que incluyen algo cambiado.
 function porCompilar(programa, fuentes, cambiados) {
   const cambia = ruta => [ruta, ...incluidas(ruta, fuentes)].some(r => cambiados.includes(r));
-  return [programa, ...Object.keys(fuentes).filter(r => /^common\/.*\.cpp$/.test(r) && cambia(r))];
+  const hayQue = ruta => /^mios\/.*\.cpp$/.test(ruta) || /^common\/.*\.cpp$/.test(ruta) && cambia(ruta);
+  return [...new Set([programa, ...Object.keys(fuentes).filter(hayQue)])];
 }
 
 async function enlaza(programa, objetos, ...mas) {
@@ -120,24 +122,24 @@ async function haz(rutas, fuentes, alCompilar = [], alEnlazar = []) {
   return { dicho: dicho + enlazado.dicho, wasm: enlazado.wasm, tarda };
 }
 
-let ultimo; // las rutas y los fuentes del último
+let ultimo; // las rutas, los fuentes y las opciones del último
 
 /// El programa de esa ruta, con esos fuentes { ruta: texto }, de los que han cambiado algunos: { wasm, si sale; dicho,
 /// lo que dicen clang y quien enlaza; tarda, en ms, cada cosa }.
-export async function hazlo({ programa, fuentes, cambiados }) {
+export async function hazlo({ programa, fuentes, cambiados, capitulo }) {
   const enLab = Object.fromEntries(Object.entries(fuentes).map(([ruta, texto]) => ['/lab/' + ruta, texto]));
   const desde = performance.now();
   precompilada ??= await precompila();
   const precompilado = performance.now() - desde;
-  ultimo = [porCompilar(programa, fuentes, cambiados), enLab];
-  const hecho = await haz(...ultimo, [], ['--strip-all']);
+  ultimo = [porCompilar(programa, fuentes, cambiados), enLab, [`-I/lab/${capitulo}`]];
+  const hecho = await haz(...ultimo, ['--strip-all']);
   return { ...hecho, tarda: { precompila: precompilado, ...hecho.tarda } };
 }
 
 /// De los sitios del último wasm, desde dentro hacia fuera, el primero que es de un fuente: { ruta, linea }. Se vuelve
 /// a hacer, igual y con sus líneas.
 export async function busca({ sitios }) {
-  const { wasm } = await haz(...ultimo, ['-gline-tables-only']);
+  const [rutas, fuentes, como] = ultimo, { wasm } = await haz(rutas, fuentes, [...como, '-gline-tables-only']);
   let codigo = 8; // donde empieza, que es desde donde cuentan las líneas
   for (let seccion = 0, largo = 0; seccion !== 10; codigo += seccion === 10 ? 0 : largo) {
     seccion = wasm[codigo++];

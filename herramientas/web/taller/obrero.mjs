@@ -1,5 +1,5 @@
 // El worker que compila: así la página no espera. Recibe { trae }, lo que hace falta, y después lo que hay que
-// compilar: { n, programa, fuentes, cambiados }; responde { n, dicho, wasm, tarda } o
+// compilar: { n, programa, fuentes, cambiados, capitulo }; responde { n, dicho, wasm, tarda } o
 // { n, error }. Con { n, sitios }, qué línea es la de donde ha fallado.
 import { pon } from './sin_red.mjs';
 import { busca, hazlo, prepara } from './compila.mjs';

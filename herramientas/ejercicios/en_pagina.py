@@ -1,0 +1,79 @@
+"""Lo que la página de ./lab web sabe de cada ejercicio: lo que se da, lo que se pide y cómo se corrige. Todo es de
+./lab nuevo y de ./lab corrige, escrito una vez al hacer la página: allí solo se juega."""
+from dataclasses import asdict
+
+from base import libro, marcas
+from base.guiones import en_palabras
+from ejercicios import nuevo, propios, reglas
+from ejercicios.corrige import shaders
+from ejercicios.corrige.banco import guiones
+
+SEMILLA = "1"  # la de ./lab corrige, si no se dice otra
+
+
+def los_que_hay(raiz, programas):
+    """El programa de cada uno, menos los que en su carpeta llevan hecho lo de otro que está oculto."""
+    ocultos = {*marcas.ocultos(raiz)}
+    hechos = lambda p, ref: marcas.que_piden(nuevo.de_la_carpeta(raiz, p, ref)).keys() - {ref}
+    suyos = {ref: p for ref, p in nuevo.ejercicios(raiz, programas).items() if not ocultos & hechos(p, ref)}
+    return {**suyos, **shaders.ejercicios(raiz, programas)}
+
+
+def suya(programa):
+    """Dónde está en la página la carpeta de quien lo hace."""
+    return f"mios/{programa.nombre}"
+
+
+def que_pide(raiz, programa, ref):
+    """Lo que se pide en cada fichero, por su ruta en la página."""
+    if nuevo.es_de_shaders(ref):
+        return {f: "; ".join(nuevo.pide(texto, ref)) for f, texto in nuevo.pedidos(raiz, programa, ref).items()}
+    textos = nuevo.de_la_carpeta(raiz, programa, ref)
+    piden = {f: nuevo.pide(texto, ref) for f, texto in textos.items()}
+    return {f"{suya(programa)}/{f}": "; ".join(que) for f, que in piden.items() if que}
+
+
+def resumen(raiz, programa, ref, del_libro):
+    """Lo que hace falta para enseñarlo en la lista."""
+    datos = {"codigo": ref, "pide": que_pide(raiz, programa, ref)}
+    datos["que"] = del_libro.cosas[ref].que if ref in del_libro.cosas else programa.titulo
+    if not nuevo.es_de_shaders(ref):
+        oculto = bool(programa.raices) or ref in marcas.ocultos(raiz)
+        datos |= {"carpeta": suya(programa), "oculto": oculto, "propio": bool(programa.raices)}
+    return datos
+
+
+def en_html(texto):
+    """Un enunciado: párrafos y listas. Su título ya está en la página."""
+    hecho = ""
+    for parrafo in texto.split("\n\n"):
+        lineas = [linea for linea in parrafo.splitlines() if not linea.startswith("# ")]
+        if lineas and all(linea.startswith(("- ", "  ")) for linea in lineas):
+            hecho += f"<ul>{''.join(f'<li>{libro.en_html(e)}</li>' for e in parrafo[2:].split(chr(10) + '- '))}</ul>"
+        elif lineas:
+            hecho += f"<p>{libro.en_html(' '.join(lineas).lstrip('# '))}</p>"
+    return hecho
+
+
+def corrige(raiz, build, programa, ref, cuantos=None):
+    """Lo que se juega para corregirlo, y lo que vale."""
+    suyas = reglas.del_programa(programa, None, cuantos, shaders.reglas(ref))
+    todos = guiones(raiz, build, programa, ref, SEMILLA, suyas, {})
+    ordenes = {o.partition(" ×")[0] for g in todos for o in g.ordenes}
+    return {
+        "guiones": [{"nombre": g.nombre, "ordenes": g.ordenes, "vale": suyas.peso(g)} for g in todos],
+        "palabras": {o: en_palabras(o) for o in sorted(ordenes)},
+        "reglas": asdict(suyas) | {"dichas": suyas.en_palabras},
+    }
+
+
+def datos(raiz, build, programa, ref):
+    """Lo demás, que se pide al entrar en él."""
+    hechos = corrige(raiz, build, programa, ref)
+    if nuevo.es_de_shaders(ref):
+        pedidos = nuevo.pedidos(raiz, programa, ref)
+        return hechos | {"esqueleto": {f: marcas.esqueleto(texto, ref) for f, texto in pedidos.items()}}
+    carpeta = nuevo.carpeta_de(raiz, programa, ref, programa.nombre)
+    sueltos = {f: carpeta.pop(f) for f in (nuevo.EJERCICIO, propios.ENUNCIADO)}
+    hechos["esqueleto"] = {f"{suya(programa)}/{f}": texto for f, texto in carpeta.items()}
+    return hechos | {"sueltos": sueltos, "enunciado": en_html(nuevo.encabezado(raiz, programa, ref))}

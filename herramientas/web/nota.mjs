@@ -1,0 +1,73 @@
+// Lo que vale lo entregado: lo de herramientas/ejercicios/corrige/arbitro.py y veredicto.py, en la página. Que dan la
+// misma nota lo pregunta tests/paginas/notas.mjs.
+
+/// Cuánto se parecen dos imágenes.
+export const BIEN = 1, CASI = 0.5;
+const ERROR_DE_OPENGL = 3; // con que acaba quien da alguno
+
+/// Las líneas que se esperan y no están, en su orden, entre las escritas, que pueden ser más.
+export function faltan(esperado, escrito) {
+  const escritas = escrito.values();
+  const esta = linea => {
+    for (const otra of escritas) if (otra.includes(linea)) return true;
+    return false;
+  };
+  return esperado.filter(linea => linea && !esta(linea));
+}
+
+/// De lo que no es la imagen ni cuenta en cada guion, en qué se apartan dos partidas: { qué: cómo se dice }.
+export function aparte(esperada, obtenida) {
+  const hay = {}, [debian, son] = [esperada.titulos, obtenida.titulos];
+  const i = [...Array(Math.max(debian.length, son.length)).keys()].find(i => debian[i] !== son[i]);
+  if (i >= 0) hay.titulo = `el título es «${son[i] ?? '(ninguno)'}» y debía ser «${debian[i] ?? '(ninguno)'}»`;
+  const [falta] = faltan(esperada.texto, obtenida.texto);
+  if (falta) hay.texto = `debía escribir «${falta}»`;
+  if (obtenida.estado !== esperada.estado) hay.estado = `acaba con estado ${obtenida.estado}`;
+  return hay;
+}
+
+/// Si, aunque las imágenes sean las mismas, no acaba como debe.
+export const acabaMal = (esperada, { estado, cuelga }) =>
+  estado !== esperada.estado && (cuelga || estado === ERROR_DE_OPENGL);
+
+/// La de lo entero: la parte de los guiones que salen bien, con lo que vale cada uno, y con un fallo que cueste algo no
+/// es 100. De cada guion jugado, `parecido`; de los que no, nada.
+export function nota(guiones, otros, reglas) {
+  const cuenta = parecido => guiones.filter(g => g.parecido === parecido);
+  const suma = lista => lista.reduce((todo, { vale }) => todo + vale, 0);
+  const bien = cuenta(BIEN), casi = cuenta(CASI);
+  const puntos = (suma(bien) + reglas.casi / 100 * suma(casi)) / suma(guiones);
+  const cuestan = Object.keys(otros).reduce((todo, que) => todo + reglas[que], 0);
+  const todo = bien.length === guiones.length || reglas.casi === 100 && bien.length + casi.length === guiones.length;
+  return Math.min(redondea(puntos * (100 - cuestan)), todo && !cuestan ? 100 : 99.9);
+}
+
+/// A una cifra, como Python: lo que está justo en medio va a la que es par.
+export const redondea = x => Number((x % 1 === 0.25 ? x - 0.05 : x).toFixed(1));
+
+/// Las menos órdenes con las que aún `falla(órdenes)`, que con todas falla; después, repetidas menos veces. Como mucho
+/// se prueba esas veces.
+export async function acorta(ordenes, falla, intentos) {
+  const prueba = async candidatas => --intentos >= 0 && await falla(candidatas);
+  if (ordenes.length > 1 && await prueba(ordenes.slice(-1))) ordenes = ordenes.slice(-1); // casi siempre basta
+  for (let largo = Math.ceil(ordenes.length / 2); ordenes.length > 1 && intentos > 0;) {
+    let menos;
+    for (let i = 0; i < ordenes.length && !menos; i += largo) {
+      const candidatas = [...ordenes.slice(0, i), ...ordenes.slice(i + largo)];
+      if (candidatas.length && await prueba(candidatas)) menos = candidatas;
+    }
+    if (!menos && largo === 1) break;
+    ordenes = menos ?? ordenes;
+    largo = Math.min(menos ? largo : Math.ceil(largo / 2), Math.ceil(ordenes.length / 2));
+  }
+  for (const i of ordenes.keys()) {
+    const [una, veces] = ordenes[i].split(' ×');
+    for (const otras of veces ? [una, `${una} ×2`] : []) {
+      const candidatas = ordenes.with(i, otras);
+      if (!await prueba(candidatas)) continue;
+      ordenes = candidatas;
+      break;
+    }
+  }
+  return ordenes;
+}
