@@ -337,22 +337,27 @@ def test_lo_que_se_da_y_lo_que_no(tmp_path):
 
 CASO, AZAR = Guion("caso", (), True), Guion("al azar", ())
 OTRAS = {"caso": 5.5, "azar": 4.5, "guiones": 3, "tolerancia": "otro", "casi": 80.5}
-OTRAS |= {"titulo": 11.5, "texto": 12.5, "estado": 13.5, "escala": "0 Mal; 50 Bien"}
+OTRAS |= {"titulo": 11.5, "texto": 12.5, "estado": 13.5, "huecos": 70.5, "pesos": "2 3"}
+OTRAS |= {"cuesta_mas": 45.5, "escala": "0 Mal; 50 Bien"}
 SITUACIONES = {  # los guiones que salen bien, los que salen por poco, y lo demás que falla
     "falla un caso": ([AZAR], [], {}),
     "falla uno al azar": ([CASO], [], {}),
     "casi": ([CASO], [AZAR], {}),
     **{f"el {que}": ([CASO, AZAR], [], {que: "mal"}) for que in ("título", "texto", "estado")},
+    "una pieza": ([CASO], [], {}, [1, 0.5]),
 }
 CAMBIA = {  # lo que cambia cada una
-    "caso": {"falla un caso", "falla uno al azar", "casi"},
-    "azar": {"falla un caso", "falla uno al azar", "casi"},
+    "caso": {"falla un caso", "falla uno al azar", "casi", "una pieza"},
+    "azar": {"falla un caso", "falla uno al azar", "casi", "una pieza"},
     "guiones": set(),
     "tolerancia": set(),
     "casi": {"casi"},
     "titulo": {"el título"},
     "texto": {"el texto"},
     "estado": {"el estado"},
+    "huecos": {"una pieza"},
+    "pesos": {"una pieza"},
+    "cuesta_mas": set(),
     "escala": set(),
 }
 
@@ -363,7 +368,7 @@ def test_cada_regla_cambia_lo_suyo(tmp_path):
     assert OTRAS.keys() == CAMBIA.keys() == dict(documento).keys()
 
     def notas(r):
-        return {s: veredicto.nota([CASO, AZAR], *que, r) for s, que in SITUACIONES.items()}
+        return {s: veredicto.nota([CASO, AZAR], *que[:3], r, *que[3:]) for s, que in SITUACIONES.items()}
 
     base = notas(Reglas())
     for clave, valor in OTRAS.items():
@@ -372,7 +377,8 @@ def test_cada_regla_cambia_lo_suyo(tmp_path):
             otra = reglas.lee(tmp_path / "r")
             assert otra == dataclasses.replace(Reglas(), **{clave: valor})
         assert {s for s, nota in notas(otra).items() if nota != base[s]} == CAMBIA[clave], clave
-        assert otra.en_palabras != Reglas().en_palabras and str(valor) in otra.en_palabras
+        es_de_la_nota = clave != "cuesta_mas"
+        assert (otra.en_palabras != Reglas().en_palabras and str(valor) in otra.en_palabras) == es_de_la_nota
     assert veredicto.nota([CASO], [CASO], [], {"título": "mal"}, Reglas(titulo=0)) == 100
     assert reglas.del_programa(SimpleNamespace(raices=[]), guiones=3) == Reglas(guiones=3)
 
@@ -399,6 +405,7 @@ MALAS = {
     "texto =": "«» no vale de texto",
     "escala = Apto": "«Apto» no vale de escala: desde cuántos puntos es cada palabra",
     "escala = 0 No; 90 Bien; 50 Apto": "no vale de escala",
+    "pesos = 0 0": "no vale de pesos: lo que pesa cada pieza",
     "caso = 0\nazar = 0": "no queda nada",
     "caso = 0\nguiones = 0": "no queda nada",
     "texto = 90\ntitulo = 10": "más de 100",

@@ -23,7 +23,7 @@ VIEJA = 86400  # segundos que se guarda lo jugado por otra versión
 
 class Banco:
     def __init__(self, raiz, build, ref, programa, temporal, jaula, semilla, reglas):
-        self.reglas = reglas
+        self.reglas, self.piezas = reglas, {}
         self.ref, self.programa, self.semilla, self.temporal = ref, programa, semilla, temporal
         self.raiz, self.privados = raiz, {*map(str, nuevo.privados(raiz, programa, ref)), str(programa.fuente)}
         entorno = procesos.entorno()
@@ -45,6 +45,7 @@ class Banco:
         self.arbitro.cache = self.cache(build / "corrige" / ref)
         partes = raiz, programa, ref, self.compilador, self.arbitro
         self.motivos = (MotivosDeShaders if con_shaders else Motivos)(*partes)
+        reglas.de_cada(len(self.motivos.trozos()))
 
     @functools.cached_property
     def donde(self):

@@ -175,6 +175,12 @@ class Motivos:
             variantes.append((dice, self.con_defecto(m, sitio)))
         return variantes
 
+    def sin_hacer(self, i):
+        """Quien juega la solución sin ese trozo, o None si así no compila."""
+        self.variantes()
+        sitio = self.compiladas()
+        return self.jugador(f"hueco{i}", sitio, f"hueco{i}") if (sitio / f"hueco{i}").is_dir() else None
+
     def jugador(self, nombre, sitio, carpeta, *antes, **entorno):
         raices = [*antes, sitio / carpeta / "fuentes" / SUYA, sitio / carpeta / "fuentes"]
         return Jugador(nombre, self.en(sitio, carpeta) / self.programa.nombre, raices, entorno)
