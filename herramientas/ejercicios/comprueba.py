@@ -26,6 +26,7 @@ from ejercicios.corrige.partidas import Guion
 BIEN = "herramientas/ejercicios/bien"
 SEMILLA = "1"  # la de ./lab corrige, si no se dice otra
 VUELTAS = 9  # de quitar lo que no compila
+SE_CALLA = "unused parameter|defined but not used"  # de lo de mios/ (cmake/ejercicios.cmake): lo usará quien lo haga
 SUSPENSO = 60  # el esqueleto no llega
 MANDOS = {controles.clic: "el ratón", controles.rueda: "la rueda", controles.tiempo: "el tiempo"}
 SON = {controles.clic: ("boton", "arrastra", "mueve"), controles.rueda: ("rueda",), controles.tiempo: ("espera",)}
@@ -176,23 +177,27 @@ class Comprobacion:
         return "guiones", f"los {len(self.guiones)} llegan al final", mal
 
     def entregado(self, textos, nombre, piezas=lambda *_: ()):
-        """La nota de esos ficheros, compilados como una entrega, y por qué no compilan, si no compilan."""
+        """La nota de esos ficheros, compilados como una entrega, por qué no compilan y de qué avisa el compilador."""
         try:
             jugador = self.banco.compilador.compila(textos, self.temporal / nombre, ajena=False)
         except Rechazo as rechazo:
-            return 0, [limpio(str(rechazo))]
+            return 0, [limpio(str(rechazo))], []
+        avisos = self.banco.compilador.avisos(textos, jugador)
         jugado = self.hilos.map(lambda g: self.juega(jugador, [g])[g], self.guiones)
-        return self.nota(dict(zip(self.guiones, jugado)), piezas), []
+        return self.nota(dict(zip(self.guiones, jugado)), piezas), [], avisos
 
     def esqueleto(self):
         cuantas = len(self.banco.motivos.trozos())
-        nota, mal = self.entregado(self.banco.dados[0], "de_partida", lambda *_: [0] * cuantas if cuantas > 1 else [])
+        nadas = lambda *_: [0] * cuantas if cuantas > 1 else []
+        nota, mal, avisos = self.entregado(self.banco.dados[0], "de_partida", nadas)
+        avisos = [a for a in avisos if not re.search(SE_CALLA, a)]
         if not mal and nota >= SUSPENSO:
             mal.append(f"sin hacer nada ya se saca {nota:g}: debe ser menos de {SUSPENSO}")
-        return "esqueleto", f"{nota:g} de 100", mal
+        ojo = f"\nojo   esqueleto: al compilarlo salen {len(avisos)} avisos: {enumera(avisos)}" if avisos else ""
+        return "esqueleto", f"{nota:g} de 100{ojo}", mal
 
     def la_solucion(self):
-        nota, mal = self.entregado(self.banco.dados[1], "resuelto")
+        nota, mal, _ = self.entregado(self.banco.dados[1], "resuelto")
         if not mal and nota < 100:
             mal.append(f"la solución saca {nota:g}: ¿lee la hora, o algo que no está en su carpeta?")
         return "solución", f"{nota:g} de 100", mal
@@ -246,8 +251,8 @@ class Comprobacion:
         mucho = [m.imita for m, puntos in quitan.items() if puntos > self.reglas.cuesta_mas]
         if mucho:
             yield (
-                f"\nojo   errores conocidos: quita más de {self.reglas.cuesta_mas:g} (cuesta_mas) uno solo: "
-                f"{enumera(mucho)}. Para que quiten menos: casos en que no se noten, más piezas o, en "
+                f"\nojo   errores conocidos: cada uno de estos, él solo, quita más de {self.reglas.cuesta_mas:g} "
+                f"(cuesta_mas): {enumera(mucho)}. Para que quiten menos: casos en que no se noten, más piezas o, en "
                 f"{reglas.FICHERO}, más peso de ellas (huecos = {self.reglas.huecos:g})"
             )
 

@@ -33,6 +33,7 @@ class Reglas:
     huecos: float = 50
     pesos: str = "iguales"
     cuesta_mas: float = 60
+    semillas: str = "1"
     escala: str = "ninguna"
 
     def peso(self, guion):
@@ -86,6 +87,8 @@ def valor(clave, texto):
         return texto if texto in TOLERANCIAS else None
     if clave == "pesos":
         return texto if sum(numeros(texto)) else None
+    if clave == "semillas":
+        return texto if re.fullmatch(r"ninguna|\d{1,9}(\s+\d{1,9})*", texto) else None
     if clave == "guiones":
         return int(texto) if re.fullmatch("[0-9]{1,6}", texto) else None
     if clave == "escala":
@@ -111,6 +114,7 @@ def tramos(escala):
 
 VALEN = {"tolerancia": ", ".join(TOLERANCIAS), "guiones": "un número natural", "caso": "un peso, de 0 a 9999"}
 VALEN["azar"] = VALEN["caso"]
+VALEN["semillas"] = "las de los guiones que se reparten, «1 7», o «ninguna»"
 VALEN["pesos"] = "lo que pesa cada pieza, en el orden del enunciado: «2 1 1»"
 VALEN["escala"] = "desde cuántos puntos es cada palabra: «0 No apto; 50 Apto»"
 

@@ -173,8 +173,8 @@ class Correccion:
 
     def por_piezas(self):
         """Lo que vale cada una, y si no se puede saber, por qué: entonces cuenta solo lo entero."""
-        if not self.banco.reglas.huecos:
-            return [], ""
+        if not self.banco.reglas.huecos or self.banco.sin_solucion:
+            return [], self.banco.sin_solucion
         if not self.hay_tiempo:
             return [], "es muy lento"
         return Piezas(self).juega()
@@ -301,7 +301,8 @@ class Correccion:
             jugadas[g.ordenes] = esperada, self.juega(g, esperada)
             return self.arbitro.difiere(*jugadas[g.ordenes]) is not None
 
-        if self.partidas[guion].cuelga or self.gastado > TOPE / 2:  # acortarlo es jugarlo otra vez, y otra
+        # acortarlo es jugarlo otra vez, y otra
+        if self.partidas[guion].cuelga or self.gastado > TOPE / 2 or self.banco.sin_solucion:
             return ordenes, *jugadas[guion.ordenes]
         if ordenes:
             ordenes = acorta(ordenes, falla, INTENTOS)
