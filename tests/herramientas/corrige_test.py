@@ -239,10 +239,16 @@ def por_piezas(carpeta, entregado, huecos=50, pesos="iguales"):
     arbitro = SimpleNamespace(juega=juega, parecido=lambda una, otra: BIEN * (una == otra))
     arbitro.difiere = lambda *p: Arbitro.difiere(arbitro, *p)
     banco = SimpleNamespace(
-        ref=REF, piezas={}, arbitro=arbitro, temporal=carpeta, reglas=Reglas(huecos=huecos, pesos=pesos)
+        ref=REF,
+        sin_solucion="",
+        piezas={},
+        arbitro=arbitro,
+        temporal=carpeta,
+        reglas=Reglas(huecos=huecos, pesos=pesos),
     )
     banco.todos = [Guion(str(i), ()) for i in range(3)]
     banco.motivos = SimpleNamespace(trozos=lambda: trozos, textos=lambda: {"p.cpp": solucion}, limpio=lambda t: t)
+    banco.motivos.por_que = lambda jugadas, *_: sorted({f"parece {p.imagenes[0][2][0]}" for p in jugadas.values()})[1:]
     banco.motivos.sin_hacer = lambda i: jugador({"p.cpp": nada[i]}, carpeta)
     banco.compilador = SimpleNamespace(compila=compila, solucion=jugador({"p.cpp": solucion}, carpeta))
     suya = entrega.Entrega({"p.cpp": entregado.encode()}, intentos=[["p.cpp"]])
@@ -261,7 +267,9 @@ def test_cada_pieza_vale_lo_que_saca_sola(tmp_path):
         debe = 100 if entero == 1 else min(99.9, round(50 * entero + 50 * sum(valen) / 3, 1))
         assert hecha["nota"] == debe, como
         assert [p["nota"] for p in hecha["piezas"]] == ([round(100 * v, 1) for v in valen] if entero < 1 else [])
-        assert hecha["entero"] == ""
+        faltan = [f"parece que falta: haz eso {i}" for i, c in enumerate(como) if c == "// nada"]
+        otros = [f"parece {2 if 'nada' in c else 3}" for c in como if HECHOS[c] < 1 and c != "// nada"]
+        assert sorted(hecha["dice"]) == sorted(faltan + otros) and hecha["entero"] == ""
     mal = marcado("mal;", "bien;", "// nada")
     otro_orden = "int main() {\n" + "".join(t[0] for t in [*marcas.TROZO.finditer(mal)][::-1]).replace("    //", "\t//")
     for escrito in (mal, otro_orden, mal.replace("\n", "\r\n")):
@@ -325,9 +333,9 @@ def test_una_entrega_lenta_se_deja(monkeypatch):
     banco = SimpleNamespace(todos=todos, arbitro=arbitro, reglas=Reglas())
     banco.compilador = SimpleNamespace(solucion="solución")
     lenta = veredicto.Correccion(banco, None)
-    lenta.jugador = "entrega"
+    lenta.jugador, lenta.por_piezas = "entrega", lambda: ([], "")
     hecho = lenta.compara()
-    assert hecho["nota"] == 25 and hecho["entero"] == "es muy lento"
+    assert hecho["nota"] == 25
     assert hecho["dice"] == ["es muy lento: a los 5 minutos se ha dejado, con 5 de los 20 guiones jugados"]
 
 

@@ -7,7 +7,7 @@ from ejercicios.corrige.entrega import COMENTARIO, Rechazo
 from ejercicios.corrige.injerto import los_suyos, texto_de
 
 BIEN, NADA = 1, 0
-NO_COMPILA = "no compila"
+NO_COMPILA, PARECE = "no compila", "parece "  # así empieza lo que dice motivos.py de un error conocido
 
 
 def pelado(texto):
@@ -31,47 +31,43 @@ def los_de(pedidos, hechos, ref):
     return hechos if en_su_sitio else mismos
 
 
+class SoloLoEntero(Exception):
+    """Por qué no se sabe lo que vale cada pieza."""
+
+
 class Piezas:
     """Las de una corrección que ya ha compilado entera."""
 
     def __init__(self, correccion):
-        self.correccion, self.banco = correccion, correccion.banco
-        self.motivos, self.pedidos = self.banco.motivos, self.banco.motivos.trozos()
-        self.ficheros = correccion.entrega.los_que_alcanza(correccion.jugador.fuentes)
-
-    def juega(self):
-        """(la parte de cada una, "") o, si no se puede saber, ([], por qué)."""
+        self.correccion, self.banco, self.motivos = correccion, correccion.banco, correccion.banco.motivos
+        self.pedidos, ref = self.motivos.trozos(), self.banco.ref
         trozos = [t for _, t in self.pedidos]
         if len(trozos) < 2:
-            return [], "se pide una pieza sola"
-        self.suyos = los_de(trozos, los_suyos(self.ficheros, self.banco.ref), self.banco.ref)
+            raise SoloLoEntero("se pide una pieza sola")
+        ficheros = correccion.entrega.los_que_alcanza(correccion.jugador.fuentes)
+        self.suyos = los_de(trozos, los_suyos(ficheros, ref), ref)
         if None in self.suyos:
             pide = trozos[self.suyos.index(None)]["pide"]
-            return [], f"no está entera la marca «// {self.banco.ref}: {pide}», con su «// fin de {self.banco.ref}»"
-        partes = []
-        for i, t in enumerate(trozos):
-            parte = self.parte(i)
-            if parte is None:
-                sola = f"sola no se puede probar «{t['pide']}»: necesita lo que has escrito en otro sitio"
-                return [], sola if self.correccion.hay_tiempo else "es muy lento"
-            partes.append(parte)
-        return partes, ""
+            raise SoloLoEntero(f"no está entera la marca «// {ref}: {pide}», con su «// fin de {ref}»")
 
-    def parte(self, i):
-        """La que saca esa, de 0 a 1; None, si sola no compila o no hay tiempo."""
-        suya, pedido = pelado(self.suyos[i]["hecho"]), self.pedidos[i][1]
+    def juega(self):
+        """De cada una, su parte, de 0 a 1, y qué errores conocidos parecen."""
+        return [self.parte(i, t) for i, (_, t) in enumerate(self.pedidos)]
+
+    def parte(self, i, pedido):
+        suya = pelado(self.suyos[i]["hecho"])
         if suya == pelado(por_hacer(pedido)):
-            return NADA
+            return NADA, [f"{PARECE}que falta: {pedido['pide']}"]
         if suya == pelado(pedido["hecho"]):
-            return BIEN
+            return BIEN, []
         memoria = self.banco.piezas  # las que son iguales, de otros, se juegan una vez
-        if (i, suya) not in memoria:
-            jugador = self.jugador(i)
-            parte = self.correccion.parte_de(jugador, self.motivos.sin_hacer(i)) if jugador else None
-            if parte is None or jugador.raices[-1].parent.name.startswith("entrega"):  # depende de lo demás suyo
-                return parte
+        if (i, suya) in memoria:
+            return memoria[i, suya]
+        jugador = self.jugador(i)
+        parte = self.correccion.parte_de(jugador, self.motivos.sin_hacer(i))
+        if jugador.raices[-1].parent.name.startswith("solucion"):  # si no, depende de lo demás suyo
             memoria[i, suya] = parte
-        return memoria[i, suya]
+        return parte
 
     def jugador(self, i):
         """La solución con esa pieza o, si usa lo que está fuera de ella, la entrega con las demás de la solución."""
@@ -84,7 +80,8 @@ class Piezas:
                 return self.banco.compilador.compila(ficheros, carpeta / f"{donde}{i}", intentos=intentos)
             except Rechazo:
                 continue
-        return None
+        pide = self.suyos[i]["pide"]
+        raise SoloLoEntero(f"sola no se puede probar «{pide}»: necesita lo que has escrito en otro sitio")
 
     def en_la_solucion(self, i):
         f, t = self.pedidos[i]

@@ -14,7 +14,7 @@ from ejercicios.corrige.entrega import Rechazo
 from ejercicios.corrige.motivos import SENALES, como_acaba, no_responden
 from ejercicios.corrige.donde import TRAZO
 from ejercicios.corrige.partidas import FINAL, TALLA, Guion, Partida, lee_ppm
-from ejercicios.corrige.piezas import NO_COMPILA, Piezas, pelado
+from ejercicios.corrige.piezas import NO_COMPILA, PARECE, Piezas, SoloLoEntero, pelado
 from ejercicios.reglas import Reglas
 
 VENTANA = 960, 720  # la que se abre
@@ -167,17 +167,23 @@ class Correccion:
         return partidas
 
     def parte_de(self, jugador, sin_hacer):
-        """La de una pieza, que juega ese; None, si no hay tiempo."""
+        """La de una pieza, que juega ese, y qué errores conocidos son los suyos."""
         partidas = self.juega_todos(jugador)
-        return parte_de_pieza(self.banco, self.esperadas, partidas, sin_hacer) if self.hay_tiempo else None
+        if not self.hay_tiempo:
+            raise SoloLoEntero("es muy lento")
+        suya = parte_de_pieza(self.banco, self.esperadas, partidas, sin_hacer)
+        fallan = [] if suya == 1 else juzga(self.arbitro, self.esperadas, partidas)[0]
+        porque = self.banco.motivos.por_que(partidas, self.esperadas, fallan) if fallan else []
+        return suya, ["; o ".join(filter(None, porque[:3]))] * any(porque)
 
     def por_piezas(self):
-        """Lo que vale cada una, y si no se puede saber, por qué: entonces cuenta solo lo entero."""
+        """Lo que vale cada una y sus errores; y si no se puede saber, por qué: entonces cuenta solo lo entero."""
         if not self.banco.reglas.huecos or self.banco.sin_solucion:
             return [], self.banco.sin_solucion
-        if not self.hay_tiempo:
-            return [], "es muy lento"
-        return Piezas(self).juega()
+        try:
+            return Piezas(self).juega(), ""
+        except SoloLoEntero as por:
+            return [], str(por)
 
     def compara(self):
         todos, solucion = self.banco.todos, self.banco.compilador.solucion
@@ -201,10 +207,14 @@ class Correccion:
             dice += [f"el programa avisa: {a}" for a in self.avisos()[:AVISOS]]
         casos = {g.nombre: g in bien for g in todos if g.caso}
         cuenta = {"bien": len(bien), "guiones": len(todos), "casos": casos, "dice": dice, "fallos": muestra}
-        piezas, entero = self.por_piezas() if parte(todos, bien, casi, self.banco.reglas) < 1 else ([], "")
-        suya = nota(todos, bien, casi, otros, self.banco.reglas, piezas)
-        piden = [t["pide"] for _, t in self.banco.motivos.trozos()] if piezas else []
-        de_cada = [{"pide": pide, "nota": round(100 * p, 1)} for pide, p in zip(piden, piezas)]
+        todo = parte(todos, bien, casi, self.banco.reglas) == 1
+        piezas, entero = ([], "") if todo else self.por_piezas()
+        if not any(d.startswith(PARECE) for d in dice) and COMO_AL_EMPEZAR not in dice:
+            dice[:0] = [d for _, dicen in piezas for d in dicen]  # de varios errores a la vez, cada uno en su pieza
+        partes = [suya for suya, _ in piezas]
+        suya = nota(todos, bien, casi, otros, self.banco.reglas, partes)
+        piden = self.banco.motivos.trozos() if piezas else []
+        de_cada = [{"pide": t["pide"], "nota": round(100 * p, 1)} for (_, t), p in zip(piden, partes)]
         return {"nota": suya, **cuenta, "piezas": de_cada, "entero": entero}
 
     def como_acaba(self, guion):
