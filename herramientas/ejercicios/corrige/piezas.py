@@ -22,8 +22,8 @@ def por_hacer(trozo):
 
 
 def los_de(pedidos, hechos, ref):
-    """De cada trozo que se pide, el de la entrega, o None: el que pide lo mismo o, si son tantos, el de su sitio. El que
-    se ha comido la marca de otro, porque no se cierra, no vale."""
+    """De cada trozo que se pide, el de la entrega, o None: el que pide lo mismo o, si son tantos, el de su sitio. No
+    vale el que se ha comido la marca de otro porque no se cierra."""
     hechos = [t for t in hechos if f"// {ref}: " not in t["hecho"]]
     piden = {t["pide"]: t for t in hechos}
     mismos = [piden.get(t["pide"]) for t in pedidos]
