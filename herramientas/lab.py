@@ -200,8 +200,7 @@ class Laboratorio:
         """Empieza en mios/NOMBRE un ejercicio (E3.5, o la carpeta de uno de quien enseña), con su enunciado y lo que ya
         está hecho, o una copia de un programa para jugar con ella; ./lab ver mios/NOMBRE la abre."""
         self.prepara()
-        os.chdir(self.donde)
-        self.pasa_a("ejercicios.nuevo", self.raiz, self.build, self.t.mios, *que.resto)
+        self.con_su_programa("ejercicios.reparte", [self.t.mios, *que.resto])
 
     def ejercicio(self, que):
         """comprueba CARPETA: si un ejercicio de quien enseña (ejercicios/NOMBRE, o la carpeta que se diga) está bien
@@ -230,7 +229,9 @@ class Laboratorio:
         dice = procesos.lanza(pregunta, cwd=self.donde, text=True, stderr=None)  # lo que avise, a stderr
         if dice.returncode:
             raise SystemExit(dice.returncode)
-        self.t.compila_para_usar(*objetivos, *(f"{p}_{self.sin_ventana}" for p in dice.stdout.split()))
+        objetivos += tuple(f"{p}_{self.sin_ventana}" for p in dice.stdout.split())
+        if objetivos:
+            self.t.compila_para_usar(*objetivos)
         self.t.suelta()  # cada corrección es independiente
         os.chdir(self.donde)
         self.pasa_a(quien, self.raiz, self.build, *palabras)

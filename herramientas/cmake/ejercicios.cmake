@@ -33,6 +33,7 @@ function(lee_mios)
     de_una_carpeta(mio_${nombre} "${fuente}" ${programa} mios/${nombre})
     get_filename_component(capitulo "${original}" DIRECTORY)
     target_include_directories(mio_${nombre} PRIVATE "${capitulo}")
+    target_compile_options(mio_${nombre} PRIVATE -Wno-unused-parameter -Wno-unused-function) # lo que usará lo que aún no está
     target_compile_definitions(mio_${nombre} PRIVATE LAB_FUENTES="${mios}/${nombre}") # shader_basico, que no usa common/
   endforeach()
 endfunction()

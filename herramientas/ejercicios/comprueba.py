@@ -7,7 +7,6 @@ import os
 import re
 import sys
 import tempfile
-from collections import Counter
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
@@ -27,8 +26,8 @@ from ejercicios.corrige.partidas import Guion
 BIEN = "herramientas/ejercicios/bien"
 SEMILLA = "1"  # la de ./lab corrige, si no se dice otra
 VUELTAS = 9  # de quitar lo que no compila
+SE_CALLA = "unused parameter|defined but not used"  # de lo de mios/ (cmake/ejercicios.cmake): lo usará quien lo haga
 SUSPENSO = 60  # el esqueleto no llega
-POCOS = 3  # guiones al azar con que se distinguen casi todos los errores
 MANDOS = {controles.clic: "el ratón", controles.rueda: "la rueda", controles.tiempo: "el tiempo"}
 SON = {controles.clic: ("boton", "arrastra", "mueve"), controles.rueda: ("rueda",), controles.tiempo: ("espera",)}
 
@@ -141,11 +140,26 @@ class Comprobacion:
             jugado[g] = esperada, partidas.Partida.lee(datos, g)
         return jugado
 
-    def nota(self, jugado):
-        """La que se le daría."""
+    def nota(self, jugado, piezas=lambda *_: ()):
+        """La que se le daría; si no sale todo, con lo que valgan sus piezas."""
         esperadas, suyas = ({g: par[i] for g, par in jugado.items()} for i in (0, 1))
         fallan, casi, otros = veredicto.juzga(self.arbitro, esperadas, suyas)
-        return veredicto.nota(jugado, [g for g in jugado if g not in fallan], casi, otros, self.reglas)
+        bien = [g for g in jugado if g not in fallan]
+        return veredicto.nota(jugado, bien, casi, otros, self.reglas, piezas(esperadas, suyas) if fallan else ())
+
+    def piezas_con(self, m):
+        """Lo que valen las de la solución con ese error, que está en una o en ninguna."""
+        trozos = [(ruta(self.programa, f), t.span("hecho")) for f, t in self.banco.motivos.trozos()]
+        desde = m.sitio(self.textos[m.fichero])[0]
+        es_de = [f == m.fichero and d <= desde < h for f, (d, h) in trozos]
+
+        def valen(esperadas, suyas):
+            return [
+                veredicto.parte_de_pieza(self.banco, esperadas, suyas, self.banco.motivos.sin_hacer(i)) if suya else 1
+                for i, suya in enumerate(es_de)
+            ]
+
+        return valen if len(trozos) > 1 and self.reglas.huecos else lambda *_: ()
 
     def se_nota(self, jugador):
         """Si con algún guion pierde puntos; se deja en el primero."""
@@ -162,23 +176,28 @@ class Comprobacion:
         mal = [f"{g.nombre}: {limpio(dice)}" for g, dice in acaban.items() if dice]
         return "guiones", f"los {len(self.guiones)} llegan al final", mal
 
-    def entregado(self, textos, nombre):
-        """La nota de esos ficheros, compilados como una entrega, y por qué no compilan, si no compilan."""
+    def entregado(self, textos, nombre, piezas=lambda *_: ()):
+        """La nota de esos ficheros, compilados como una entrega, por qué no compilan y de qué avisa el compilador."""
         try:
             jugador = self.banco.compilador.compila(textos, self.temporal / nombre, ajena=False)
         except Rechazo as rechazo:
-            return 0, [limpio(str(rechazo))]
+            return 0, [limpio(str(rechazo))], []
+        avisos = self.banco.compilador.avisos(textos, jugador)
         jugado = self.hilos.map(lambda g: self.juega(jugador, [g])[g], self.guiones)
-        return self.nota(dict(zip(self.guiones, jugado))), []
+        return self.nota(dict(zip(self.guiones, jugado)), piezas), [], avisos
 
     def esqueleto(self):
-        nota, mal = self.entregado(self.banco.dados[0], "de_partida")
+        cuantas = len(self.banco.motivos.trozos())
+        nadas = lambda *_: [0] * cuantas if cuantas > 1 else []
+        nota, mal, avisos = self.entregado(self.banco.dados[0], "de_partida", nadas)
+        avisos = [a for a in avisos if not re.search(SE_CALLA, a)]
         if not mal and nota >= SUSPENSO:
             mal.append(f"sin hacer nada ya se saca {nota:g}: debe ser menos de {SUSPENSO}")
-        return "esqueleto", f"{nota:g} de 100", mal
+        ojo = f"\nojo   esqueleto: al compilarlo salen {len(avisos)} avisos: {enumera(avisos)}" if avisos else ""
+        return "esqueleto", f"{nota:g} de 100{ojo}", mal
 
     def la_solucion(self):
-        nota, mal = self.entregado(self.banco.dados[1], "resuelto")
+        nota, mal, _ = self.entregado(self.banco.dados[1], "resuelto")
         if not mal and nota < 100:
             mal.append(f"la solución saca {nota:g}: ¿lee la hora, o algo que no está en su carpeta?")
         return "solución", f"{nota:g} de 100", mal
@@ -218,22 +237,30 @@ class Comprobacion:
             quienes = self.de_lista(suyos, "mal")
         except Rechazo:
             return "errores conocidos", f"{len(suyos)}", [*mal, *self.los_que_no_compilan(suyos)]
-        pocos = self.guiones[: len(self.casos) + POCOS]
-        hecho = dict(zip(suyos, self.hilos.map(lambda m: self.resume(quienes[m], pocos), suyos)))
-        veces = Counter(repr(deja) for _, deja in hecho.values())
-        dudosos = [m for m, (nota, deja) in hecho.items() if nota == 100 or veces[repr(deja)] > 1]
-        hecho |= zip(dudosos, self.hilos.map(lambda m: self.resume(quienes[m], self.guiones), dudosos))
+        hecho = dict(zip(suyos, self.hilos.map(lambda m: self.resume(quienes[m], self.piezas_con(m)), suyos)))
         mal += [f"{m.nombre}, {m.imita}: no quita puntos" for m, (nota, _) in hecho.items() if nota == 100]
         for (una, (_, deja)), (otra, (_, dejo)) in itertools.combinations(hecho.items(), 2):
             if una.dice != otra.dice and deja == dejo:
                 mal.append(f"{una.nombre} y {otra.nombre} no se distinguen: {una.dice}; {otra.dice}")
-        return "errores conocidos", f"{len(suyos)}, que se distinguen", mal
+        quitan = {m: round(100 - nota, 1) for m, (nota, _) in hecho.items()}
+        cada_uno = [f"\n      quita {quitan[m]:g}: {m.imita}" for m in sorted(quitan, key=lambda m: -quitan[m])]
+        return "errores conocidos", f"{len(suyos)}, que se distinguen{''.join([*cada_uno, *self.ojo(quitan)])}", mal
 
-    def resume(self, jugador, guiones):
+    def ojo(self, quitan):
+        """De los que quitan, cada uno solo, más de lo que dicen las reglas."""
+        mucho = [m.imita for m, puntos in quitan.items() if puntos > self.reglas.cuesta_mas]
+        if mucho:
+            yield (
+                f"\nojo   errores conocidos: cada uno de estos, él solo, quita más de {self.reglas.cuesta_mas:g} "
+                f"(cuesta_mas): {enumera(mucho)}. Para que quiten menos: casos en que no se noten, más piezas o, en "
+                f"{reglas.FICHERO}, más peso de ellas (huecos = {self.reglas.huecos:g})"
+            )
+
+    def resume(self, jugador, piezas=lambda *_: ()):
         """Su nota, y lo que deja en cada guion, que entero no cabría."""
-        jugado = self.juega(jugador, guiones)
+        jugado = self.juega(jugador, self.guiones)
         dejan = [suma(repr(p.titulos), p.texto, *(i[2] for i in p.imagenes)) for _, p in jugado.values()]
-        return self.nota(jugado), dejan
+        return self.nota(jugado, piezas), dejan
 
     def los_que_no_compilan(self, suyos):
         for m in suyos:
@@ -249,7 +276,7 @@ class Comprobacion:
         """La solución, escrita de otra manera: a quien la entregara así no se le quita nada."""
         otras = [m for m in defectos.lee(self.raiz / BIEN)[0] if m.lista == self.ref]
         quienes = self.de_lista(otras, "bien")
-        notas = dict(zip(quienes, self.hilos.map(lambda m: self.resume(quienes[m], self.guiones)[0], quienes)))
+        notas = dict(zip(quienes, self.hilos.map(lambda m: self.resume(quienes[m])[0], quienes)))
         mal = [f"{m.nombre}, {m.imita}: está bien, y saca {nota:g}" for m, nota in notas.items() if nota < 100]
         return "otras maneras", f"{len(notas)} valen lo mismo", mal
 

@@ -1,14 +1,13 @@
-"""nuevo.py RAÍZ BUILD MIOS QUÉ [NOMBRE]: una carpeta de quien aprende, MIOS/NOMBRE. Con un ejercicio (E3.5, o la
+"""Lo que se le da a quien aprende (./lab nuevo, que es reparte.py): una carpeta, MIOS/NOMBRE. Con un ejercicio (E3.5, o la
 carpeta de uno de quien enseña: propios.py), su esqueleto: los ficheros de la solución sin lo que se pide, que dicen
 las marcas (base/marcas.py). Con un programa, una copia para jugar con ella."""
 import hashlib
 import re
 import shutil
-import sys
 from pathlib import Path
 
 from base import catalogo, controles, fuentes, libro, marcas, paginas
-from base.procesos import Fallo, principal
+from base.procesos import Fallo
 from ejercicios import propios, reglas
 
 # en la carpeta: «E3.5 ch03_transformaciones/grua», o solo el programa si no se corrige
@@ -168,8 +167,14 @@ def enunciado(raiz, programa, referencia, nombre, ficheros):
         huecos=huecos,
         con_shader=any(f.endswith(fuentes.SHADERS) for f, _ in huecos),
         dados=", ".join(f"`{h}`" for h in sorted(incluyen - {*ficheros})),
+        imagen_de=imagen_de,
         controles=[c.texto for c in controles.lee(raiz, programa)],
     )
+
+
+def imagen_de(caso):
+    """Cómo se llama, en esperado/, la de adónde hay que llegar."""
+    return re.sub("[^a-z0-9]+", "_", catalogo.llano(caso.titulo or "al abrirlo")).strip("_") + ".png"
 
 
 def ejercicio_pedido(pedido, hay):
@@ -216,8 +221,8 @@ def carpeta_de(raiz, programa, referencia, nombre):
     return ficheros
 
 
-def crea(raiz, programas, mios, pedido, nombre=""):
-    """MIOS/NOMBRE, entera o nada."""
+def crea(raiz, programas, mios, pedido, nombre="", con=lambda carpeta: None):
+    """MIOS/NOMBRE, entera o nada, CON lo que se le añada."""
     referencia, programa = elige(raiz, programas, pedido)
     nombre = nombre or programa.nombre
     if not re.fullmatch("[a-z0-9_]+", nombre):
@@ -234,30 +239,8 @@ def crea(raiz, programas, mios, pedido, nombre=""):
         parcial.mkdir(parents=True)
         for fichero, texto in ficheros.items():
             (parcial / fichero).write_text(texto)
+        con(parcial)
         parcial.rename(carpeta)
     finally:
         shutil.rmtree(parcial, ignore_errors=True)
     return referencia, carpeta
-
-
-def main():
-    raiz, build, mios, *resto = sys.argv[1:]
-    if not 1 <= len(resto) <= 2:
-        raise Fallo(
-            "nuevo: hace falta un ejercicio o un programa y, si acaso, el nombre de la carpeta: "
-            "./lab nuevo E3.5 mi_grua"
-        )
-    raiz, build = Path(raiz).resolve(), Path(build)
-    programas, resto[0] = propios.resuelve(raiz, build, resto[0])
-    referencia, carpeta = crea(raiz, programas, Path(mios), *resto)
-    if referencia:
-        print(
-            f"{carpeta}: lo que se pide está en ENUNCIADO.md. Para verlo, ./lab ver mios/{carpeta.name}; "
-            f"para corregirlo, ./lab corrige {carpeta.name}"
-        )
-    else:
-        print(f"{carpeta}: una copia, para jugar con ella. Para verla, ./lab ver mios/{carpeta.name}")
-
-
-if __name__ == "__main__":
-    principal(main)

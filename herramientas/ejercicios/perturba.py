@@ -28,6 +28,7 @@ TIPOS = "int", "float", "double", "bool", "char", "void", "unsigned", "const"
 OTRO = {"+": "-", "-": "+", "*": "/", "/": "*", "<": "<=", ">": ">=", "<=": "<", ">=": ">", "==": "!=", "!=": "=="}
 OTRO |= {"&&": "||", "||": "&&", "+=": "-=", "-=": "+=", "*=": "/=", "%": "+", "!": ""}
 NO_ES_VALOR = "=", "+=", "-=", "*=", "/=", "<", "++", "--"  # lo que tiene eso detrás
+SIN_ELLA, NUNCA = ("sin ella", ";"), ("nunca", "false")  # una instrucción; la condición de un if o de un bucle
 CIERRA = {"(": ")", "[": "]", "{": "}"}
 EN_CPP, EN_GLSL = ("otroFactor({})",), ("({} * 1.25)", "({} + 1)")  # cómo se escribe otro factor
 
@@ -168,7 +169,7 @@ class Hueco(Trozo):
             for parte in self.partes(i, j):
                 yield from self.expresion(*parte)
         elif i <= j and self[i][0] not in "\"'." and self[i][:2] != 'R"' and not self.es_declaracion(i, j, False):
-            yield *self.sitio(i, j), False
+            yield *self.sitio(i, j), ()
 
     def acaba(self, i):
         """Dónde acaba la instrucción que empieza ahí: en su «;» o en la llave que abre un bloque, el de una función o
@@ -182,15 +183,16 @@ class Hueco(Trozo):
         return fin
 
     def trozos(self):
-        """(desde, hasta, si es una instrucción) de cada expresión que se puede perturbar por su cuenta."""
+        """(desde, hasta, cómo se quita entera, si se puede) de cada expresión que se puede perturbar por su cuenta."""
         i = 0
         while i < self.n:
             sigue = i + 1
             if self[i] in CON_CONDICION and self[i + 1] == "(":
                 sigue = self.cierra(i + 1) + 1
                 partes = self.partes(i + 1, sigue - 1, ";")
-                for parte in partes[1:] if self[i] == "for" else partes[-1:]:
-                    yield from self.expresion(*parte)
+                for k, parte in enumerate(partes[1:] if self[i] == "for" else partes[-1:]):
+                    como = NUNCA if not k and self[i] != "switch" else ()
+                    yield from ((desde, hasta, como) for desde, hasta, _ in self.expresion(*parte))
             elif self[i] in CON_DOS_PUNTOS or self[i + 1] == ":" and self.es_nombre(i):
                 sigue = next((k for k in range(i, self.n) if self[k] == ":"), i) + 1
             elif self[i] == "{" and self[self.cierra(i) + 1] == ",":  # la fila de una tabla
@@ -210,7 +212,7 @@ class Hueco(Trozo):
         elif self[i] in BLOQUES or self.es_declaracion(i, fin):
             yield from self.declaradas(i, fin)
         elif fin < self.n:
-            yield *self.sitio(i, fin), True
+            yield *self.sitio(i, fin), SIN_ELLA
         else:
             yield from self.expresion(i, fin - 1)
 
@@ -227,10 +229,10 @@ class Hueco(Trozo):
 
 def perturbaciones(texto, desde, hasta, glsl):
     """Todas las de ese hueco."""
-    for de, a, instruccion in Hueco(texto, desde, hasta).trozos():
+    for de, a, quitada in Hueco(texto, desde, hasta).trozos():
         original = re.sub(r"\s+", " ", sin_comentarios(texto[de:a]))
         otros = dict.fromkeys(Trozo(original).perturba(EN_GLSL if glsl else EN_CPP))
-        for que, otro in [*otros, *[("sin ella", ";")] * instruccion]:
+        for que, otro in [*otros, *[quitada] * bool(quitada)]:
             if otro != original:
                 yield Perturbacion(que, de, a, otro, texto.count("\n", 0, de) + 1)
 

@@ -30,6 +30,10 @@ class Reglas:
     titulo: float = 5
     texto: float = 20
     estado: float = 5
+    huecos: float = 50
+    pesos: str = "iguales"
+    cuesta_mas: float = 60
+    semillas: str = "1"
     escala: str = "ninguna"
 
     def peso(self, guion):
@@ -38,6 +42,21 @@ class Reglas:
     def cuesta(self, que):
         """Lo que no es la imagen, como lo llama arbitro.aparte."""
         return getattr(self, que.replace("í", "i"))
+
+    def de_cada(self, cuantas):
+        """Lo que pesa cada pieza."""
+        pesos = numeros(self.pesos) or [1] * cuantas
+        if len(pesos) != cuantas:
+            raise Fallo(f"pesos = {self.pesos}: son {len(pesos)}, y las piezas que se piden, {cuantas}")
+        return pesos
+
+    def junta(self, entero, piezas):
+        """La parte de lo entero y la de cada pieza, si se sabe, en una."""
+        if not piezas:
+            return entero
+        pesos = self.de_cada(len(piezas))
+        media = sum(peso * pieza for peso, pieza in zip(pesos, piezas)) / sum(pesos)
+        return entero + self.huecos / CIEN * (media - entero)
 
     @property
     def cuanto_casi(self):
@@ -52,7 +71,8 @@ class Reglas:
         return (
             f"guiones: los casos, {self.caso:g} cada uno; {al_azar}; tolerancia {self.tolerancia}; lo casi igual, "
             f"{self.casi:g} %; quitan, de 100, el título {self.titulo:g}, el texto {self.texto:g} y el estado con que "
-            f"acaba {self.estado:g}"
+            f"acaba {self.estado:g}; de lo que no es 100, las piezas, cada una por su cuenta, {self.huecos:g} %"
+            f"{f', con pesos {self.pesos}' if numeros(self.pesos) else ''}"
         ) + (f"; escala: {self.escala}" if self.tramos else "")
 
     @property
@@ -65,12 +85,23 @@ def valor(clave, texto):
     """El de esa clave, o nada si no vale."""
     if clave == "tolerancia":
         return texto if texto in TOLERANCIAS else None
+    if clave == "pesos":
+        return texto if sum(numeros(texto)) else None
+    if clave == "semillas":
+        return texto if re.fullmatch(r"ninguna|\d{1,9}(\s+\d{1,9})*", texto) else None
     if clave == "guiones":
         return int(texto) if re.fullmatch("[0-9]{1,6}", texto) else None
     if clave == "escala":
         return texto if tramos(texto) else None
     numero = float(texto.replace(",", ".")) if re.fullmatch(NUMERO, texto) else None
     return numero if numero is not None and (numero <= CIEN or clave in ("caso", "azar")) else None
+
+
+def numeros(texto):
+    """Los de «2 1 1», o ninguno."""
+    return (
+        [float(n.replace(",", ".")) for n in texto.split()] if re.fullmatch(rf"{NUMERO}(\s+{NUMERO})*", texto) else []
+    )
 
 
 def tramos(escala):
@@ -83,6 +114,8 @@ def tramos(escala):
 
 VALEN = {"tolerancia": ", ".join(TOLERANCIAS), "guiones": "un número natural", "caso": "un peso, de 0 a 9999"}
 VALEN["azar"] = VALEN["caso"]
+VALEN["semillas"] = "las de los guiones que se reparten, «1 7», o «ninguna»"
+VALEN["pesos"] = "lo que pesa cada pieza, en el orden del enunciado: «2 1 1»"
 VALEN["escala"] = "desde cuántos puntos es cada palabra: «0 No apto; 50 Apto»"
 
 

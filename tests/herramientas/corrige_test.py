@@ -196,7 +196,7 @@ def test_la_nota_es_la_parte_de_los_guiones_que_salen_bien():
         banco.compilador = SimpleNamespace(solucion="solución")
         correccion = veredicto.Correccion(banco, {})
         correccion.jugador, correccion.muestra, correccion.explica = "entrega", lambda fallan: [], lambda *_: []
-        correccion.avisos = lambda: []
+        correccion.avisos, correccion.por_piezas = lambda: [], lambda: ([], "")
         return correccion.compara()["nota"]
 
     assert [nota(lambda g, i=i: partida(i)) for i in (1, 2, 7)] == [100, 0, 50]  # la última, por poco
@@ -205,6 +205,86 @@ def test_la_nota_es_la_parte_de_los_guiones_que_salen_bien():
     casos += [Guion(f"caso {i}", (), True) for i in range(2000)]
     assert nota(lambda g: partida(2 if g is otros[0] else 1)) == 99.9  # con un fallo no es 100
     assert nota(lambda g: partida(1, estado=124)) == 0 and len(jugados) == len(casos + otros) + veredicto.CUELGUES
+
+
+HECHOS = {  # un hueco, y lo que vale, que de tres guiones se ve en uno
+    "bien;": 1,
+    "bien ( );": 1,
+    "// nada": 0,
+    "como si nada;": 0,
+    "mal;": 2 / 3,
+    "usa(bien);": 1,
+    "usa(mal);": 2 / 3,
+}
+
+
+def por_piezas(carpeta, entregado, huecos=50, pesos="iguales"):
+    """La corrección de esos tres huecos, en un mundo en que el guion i solo ve el i. Lo que usa() está fuera."""
+    solucion = marcado(*["// de partida: // nada\nbien;"] * 3)
+    trozos = [("p.cpp", t) for t in marcas.TROZO.finditer(solucion)]
+    jugador = lambda textos, c: partidas.Jugador("", None, [c / "fuentes"], {"es": textos}, True, ["p.cpp"])
+    nada = [solucion.replace(t[0], marcas.esqueleto(t[0])) for _, t in trozos]
+
+    def compila(ficheros, donde, intentos=()):
+        if "usa(" in str(ficheros) and "void usa" not in str(ficheros) or "no compila" in str(ficheros):
+            raise lector.Rechazo("no compila")
+        return jugador(ficheros, donde)
+
+    def juega(suyo, guion, *_):
+        texto = injerto.texto_de(suyo.entorno["es"]["p.cpp"])
+        hecho = next((t["hecho"] for t in marcas.TROZO.finditer(texto) if t["pide"].endswith(guion.nombre)), "")
+        hecho = hecho.replace("// de partida: // nada\n", "").replace("    // de partida: // nada\n", "")
+        return partida(1 if "bien" in hecho else 2 if "nada" in hecho else 3)
+
+    arbitro = SimpleNamespace(juega=juega, parecido=lambda una, otra: BIEN * (una == otra))
+    arbitro.difiere = lambda *p: Arbitro.difiere(arbitro, *p)
+    banco = SimpleNamespace(
+        ref=REF,
+        sin_solucion="",
+        piezas={},
+        arbitro=arbitro,
+        temporal=carpeta,
+        reglas=Reglas(huecos=huecos, pesos=pesos),
+    )
+    banco.todos = [Guion(str(i), ()) for i in range(3)]
+    banco.motivos = SimpleNamespace(trozos=lambda: trozos, textos=lambda: {"p.cpp": solucion}, limpio=lambda t: t)
+    banco.motivos.por_que = lambda jugadas, *_: sorted({f"parece {p.imagenes[0][2][0]}" for p in jugadas.values()})[1:]
+    banco.motivos.sin_hacer = lambda i: jugador({"p.cpp": nada[i]}, carpeta)
+    banco.compilador = SimpleNamespace(compila=compila, solucion=jugador({"p.cpp": solucion}, carpeta))
+    suya = entrega.Entrega({"p.cpp": entregado.encode()}, intentos=[["p.cpp"]])
+    suya.alcance = entrega.Alcance(suya.ficheros)
+    hecha = veredicto.Correccion(banco, suya)
+    hecha.muestra, hecha.explica, hecha.avisos = lambda fallan: [], lambda *_: [], lambda: []
+    return hecha.hazla()
+
+
+def test_cada_pieza_vale_lo_que_saca_sola(tmp_path):
+    """De tres huecos, hechos de cada manera: bien, de otra, mal, sin hacer, con algo de fuera; y en otro orden."""
+    for como in itertools.product(HECHOS, repeat=3):
+        hecha = por_piezas(tmp_path, marcado(*como, fuera="void usa();"))
+        valen = [HECHOS[c] for c in como]
+        entero = sum("bien" in c for c in como) / 3
+        debe = 100 if entero == 1 else min(99.9, round(50 * entero + 50 * sum(valen) / 3, 1))
+        assert hecha["nota"] == debe, como
+        assert [p["nota"] for p in hecha["piezas"]] == ([round(100 * v, 1) for v in valen] if entero < 1 else [])
+        faltan = [f"parece que falta: haz eso {i}" for i, c in enumerate(como) if c == "// nada"]
+        otros = [f"parece {2 if 'nada' in c else 3}" for c in como if HECHOS[c] < 1 and c != "// nada"]
+        assert sorted(hecha["dice"]) == sorted(faltan + otros) and hecha["entero"] == ""
+    mal = marcado("mal;", "bien;", "// nada")
+    otro_orden = "int main() {\n" + "".join(t[0] for t in [*marcas.TROZO.finditer(mal)][::-1]).replace("    //", "\t//")
+    for escrito in (mal, otro_orden, mal.replace("\n", "\r\n")):
+        assert [p["nota"] for p in por_piezas(tmp_path, escrito)["piezas"]] == [66.7, 100, 0]
+    assert por_piezas(tmp_path, mal, pesos="0 1 0")["nota"] == round(50 / 3 + 50, 1)
+    assert por_piezas(tmp_path, mal, huecos=0)["nota"] == 33.3
+    assert por_piezas(tmp_path, mal, huecos=100)["nota"] == round(500 / 9, 1)
+    sin_marca = mal.replace(f"// fin de {REF}", "", 1)
+    for escrito, porque in (
+        (sin_marca, f"no está entera la marca «// {REF}: haz eso 0»"),
+        ("no compila", "no compila"),
+    ):
+        hecha = por_piezas(tmp_path, escrito)
+        assert not hecha.get("piezas") and hecha["entero"].startswith(porque)
+        assert porque in informes.lineas({**hecha, "avisos": []})[-1]
 
 
 def test_el_defecto_que_deja_lo_mismo_en_todos_los_guiones():
@@ -253,7 +333,7 @@ def test_una_entrega_lenta_se_deja(monkeypatch):
     banco = SimpleNamespace(todos=todos, arbitro=arbitro, reglas=Reglas())
     banco.compilador = SimpleNamespace(solucion="solución")
     lenta = veredicto.Correccion(banco, None)
-    lenta.jugador = "entrega"
+    lenta.jugador, lenta.por_piezas = "entrega", lambda: ([], "")
     hecho = lenta.compara()
     assert hecho["nota"] == 25
     assert hecho["dice"] == ["es muy lento: a los 5 minutos se ha dejado, con 5 de los 20 guiones jugados"]

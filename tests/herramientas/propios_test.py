@@ -2,6 +2,7 @@
 defectos que se le plantan, que ./lab ejercicio comprueba nombra; y las reglas, que cada una cambia lo suyo."""
 import dataclasses
 import json
+import lzma
 import os
 import re
 import shutil
@@ -25,6 +26,7 @@ from mal_hecho import MAL_HECHO
 from mentira import siembra
 from sin_pruebas_test import sin_pruebas
 
+IMAGENES = "al_abrirlo.png", "con_siete_aspas.png", "girado.png"
 DOCUMENTO = (RAIZ / "docs/ejercicios.md").read_text()
 FICHEROS = dict(re.findall(r"^`ejercicios/molinete/([\w.]+)`:\n\n```\w+\n(.*?)^```$", DOCUMENTO, re.M | re.S))
 ORDENES = re.findall(r"^\./lab (.*)$", DOCUMENTO, re.M)
@@ -62,7 +64,7 @@ def test_uno_hecho_como_dice_el_documento(lab):
     dicho = lab(ORDENES[0])
     assert re.findall(r"^bien  (.+?):", dicho, re.M) == PREGUNTAS and "mal" not in dicho
     lab(ORDENES[1], dice="/mios/molinete: lo que se pide está en ENUNCIADO.md")
-    lab(ORDENES[2], dice="lo he dibujado en molinete.png")
+    assert "warning" not in lab(ORDENES[2], dice="lo he dibujado en molinete.png")
     assert lab.deja("molinete.png", b"\x89PNG")
     clase = lab.sitio / "aqui/clase"
     solucion = FICHEROS["molinete.cpp"]
@@ -92,14 +94,37 @@ def test_se_usa_como_cualquier_otro(lab):
         f.rename(f.with_name(f.name.replace("molinete", "molino")))
     errores = lab.sitio / "aqui/molino/errores.tsv"
     errores.write_text(errores.read_text().replace("molinete.cpp", "molino.cpp"))
+    (lab.sitio / "aqui/molino/reglas.txt").write_text("guiones = 4\nhuecos = 0\nsemillas = 7 3\n")
     lab("nuevo ./molino el_mio", dice="/mios/el_mio")
-    origen = (lab.sitio / "mios/el_mio/ejercicio.txt").read_text()
+    mio, solucion = lab.sitio / "mios/el_mio", (lab.sitio / "aqui/molino/molino.cpp").read_text()
+    origen = (mio / "ejercicio.txt").read_text()
     assert re.fullmatch("molino ejercicios/molino/molino\npartida [0-9a-f]{12}\n", origen)
-    lab("corrige el_mio --guiones 0", 1, "el_mio, molino: 0 de 100")
+    esperado = {f.name: f.stat().st_size for f in (mio / "esperado").iterdir()}
+    assert esperado.keys() == {*IMAGENES, "reglas.txt", "partidas.datos"} and sum(esperado.values()) < 100_000
+    assert all(f"](esperado/{imagen})" in (mio / "ENUNCIADO.md").read_text() for imagen in IMAGENES)
+    assert "two_pi" not in str(lzma.decompress((mio / "esperado/partidas.datos").read_bytes()).partition(b"\n")[0])
+    hechos = {"nada": (mio / "el_mio.cpp").read_text(), "todo": solucion}
+    hechos |= {"mal": solucion.replace("radians(10", "radians(20"), "no": "int main("}
+    en_clase = {como: corrige_el_mio(lab, hecho, como != "todo") for como, hecho in hechos.items()}
     shutil.rmtree(lab.sitio / "aqui/molino")
+    en_casa = {como: corrige_el_mio(lab, hecho, como != "todo") for como, hecho in hechos.items()}
+    assert en_casa == en_clase and en_casa["todo"][0] == "100" != en_casa["mal"][0]
+    (mio / "el_mio.cpp").write_text(hechos["nada"])
     lab("ver mios/el_mio/", dice="lo he dibujado en el_mio.png")
     assert lab.deja("el_mio.png", b"\x89PNG")
-    lab("corrige el_mio", 1, "no dice de qué ejercicio es")
+    lab("corrige el_mio", 1, "las piezas y los errores conocidos los mira quien enseña")
+    lab("corrige el_mio --semilla 8", 1, "aquí no están los guiones de la semilla 8: solo 7, 3")
+    (mio / "esperado/partidas.datos").write_bytes(b"otra cosa")
+    lab("corrige el_mio", 1, "está estropeado: pídeselo otra vez")
+    shutil.rmtree(mio / "esperado")
+    lab("corrige el_mio", 1, "aquí no está la solución de molino, ni la carpeta esperado/")
+
+
+def corrige_el_mio(lab, hecho, mal):
+    """La nota y los guiones que salen bien, con lo que se ha hecho."""
+    (lab.sitio / "mios/el_mio/el_mio.cpp").write_text(hecho)
+    dicho = lab("corrige el_mio --semilla 3", mal)
+    return re.search(r"el_mio, molino: ([\d.]+) de 100 (\(\d+ de 7 guiones)", dicho).groups()
 
 
 def test_en_la_pagina_va_lo_que_se_reparte_y_no_la_solucion(tmp_path, monkeypatch):
@@ -340,7 +365,10 @@ def test_lo_que_se_da_y_lo_que_no(tmp_path):
     texto, enunciado = ((mios / "x" / f).read_text() for f in ("x.cpp", "ENUNCIADO.md"))
     assert "two_pi" not in texto and texto.count("// molinete: ") == texto.count("// fin de molinete") == 2
     assert enunciado.startswith(FICHEROS["ENUNCIADO.md"]) and "estén esas líneas (7)" in enunciado
-    assert "- Girado (`tecla g ×3`).\n" in enunciado and "./lab ver molinete" not in enunciado
+    assert (
+        "- Girado (`tecla g ×3`). ![Girado](esperado/girado.png)\n" in enunciado
+        and "./lab ver molinete" not in enunciado
+    )
     with pytest.raises(Fallo, match="falta .*ENUNCIADO.md"):
         (carpeta / "ENUNCIADO.md").unlink()
         nuevo.crea(RAIZ, [programa], mios, "molinete", "y")
@@ -354,22 +382,28 @@ def test_lo_que_se_da_y_lo_que_no(tmp_path):
 
 CASO, AZAR = Guion("caso", (), True), Guion("al azar", ())
 OTRAS = {"caso": 5.5, "azar": 4.5, "guiones": 3, "tolerancia": "otro", "casi": 80.5}
-OTRAS |= {"titulo": 11.5, "texto": 12.5, "estado": 13.5, "escala": "0 Mal; 50 Bien"}
+OTRAS |= {"titulo": 11.5, "texto": 12.5, "estado": 13.5, "huecos": 70.5, "pesos": "2 3"}
+OTRAS |= {"cuesta_mas": 45.5, "semillas": "3 5", "escala": "0 Mal; 50 Bien"}
 SITUACIONES = {  # los guiones que salen bien, los que salen por poco, y lo demás que falla
     "falla un caso": ([AZAR], [], {}),
     "falla uno al azar": ([CASO], [], {}),
     "casi": ([CASO], [AZAR], {}),
     **{f"el {que}": ([CASO, AZAR], [], {que: "mal"}) for que in ("título", "texto", "estado")},
+    "una pieza": ([CASO], [], {}, [1, 0.5]),
 }
 CAMBIA = {  # lo que cambia cada una
-    "caso": {"falla un caso", "falla uno al azar", "casi"},
-    "azar": {"falla un caso", "falla uno al azar", "casi"},
+    "caso": {"falla un caso", "falla uno al azar", "casi", "una pieza"},
+    "azar": {"falla un caso", "falla uno al azar", "casi", "una pieza"},
     "guiones": set(),
     "tolerancia": set(),
     "casi": {"casi"},
     "titulo": {"el título"},
     "texto": {"el texto"},
     "estado": {"el estado"},
+    "huecos": {"una pieza"},
+    "pesos": {"una pieza"},
+    "cuesta_mas": set(),
+    "semillas": set(),
     "escala": set(),
 }
 
@@ -380,7 +414,7 @@ def test_cada_regla_cambia_lo_suyo(tmp_path):
     assert OTRAS.keys() == CAMBIA.keys() == dict(documento).keys()
 
     def notas(r):
-        return {s: veredicto.nota([CASO, AZAR], *que, r) for s, que in SITUACIONES.items()}
+        return {s: veredicto.nota([CASO, AZAR], *que[:3], r, *que[3:]) for s, que in SITUACIONES.items()}
 
     base = notas(Reglas())
     for clave, valor in OTRAS.items():
@@ -389,7 +423,8 @@ def test_cada_regla_cambia_lo_suyo(tmp_path):
             otra = reglas.lee(tmp_path / "r")
             assert otra == dataclasses.replace(Reglas(), **{clave: valor})
         assert {s for s, nota in notas(otra).items() if nota != base[s]} == CAMBIA[clave], clave
-        assert otra.en_palabras != Reglas().en_palabras and str(valor) in otra.en_palabras
+        es_de_la_nota = clave not in ("cuesta_mas", "semillas")
+        assert (otra.en_palabras != Reglas().en_palabras and str(valor) in otra.en_palabras) == es_de_la_nota
     assert veredicto.nota([CASO], [CASO], [], {"título": "mal"}, Reglas(titulo=0)) == 100
     assert reglas.del_programa(SimpleNamespace(raices=[]), guiones=3) == Reglas(guiones=3)
 
@@ -416,6 +451,7 @@ MALAS = {
     "texto =": "«» no vale de texto",
     "escala = Apto": "«Apto» no vale de escala: desde cuántos puntos es cada palabra",
     "escala = 0 No; 90 Bien; 50 Apto": "no vale de escala",
+    "pesos = 0 0": "no vale de pesos: lo que pesa cada pieza",
     "caso = 0\nazar = 0": "no queda nada",
     "caso = 0\nguiones = 0": "no queda nada",
     "texto = 90\ntitulo = 10": "más de 100",

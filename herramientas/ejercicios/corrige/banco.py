@@ -31,15 +31,14 @@ def guiones(raiz, build, programa, ref, semilla, reglas, entorno):
 
 
 class Banco:
+    sin_solucion = ""  # lo que se dice, si no está
+
     def __init__(self, raiz, build, ref, programa, temporal, jaula, semilla, reglas):
-        self.reglas = reglas
+        self.reglas, self.piezas = reglas, {}
         self.ref, self.programa, self.semilla, self.temporal = ref, programa, semilla, temporal
         self.raiz, self.privados = raiz, {*map(str, nuevo.privados(raiz, programa, ref)), str(programa.fuente)}
-        entorno = procesos.entorno()
-        del entorno["MESA_SHADER_CACHE_DISABLE"]
-        entorno |= {"LP_NUM_THREADS": "0", "LANG": "C.UTF-8", "PATH": "/usr/bin:/bin"}
-        entorno["MESA_DISK_CACHE_SINGLE_FILE"] = "1"  # que se copia para cada partida
-        recinto = Recinto(temporal, jaula, entorno)
+        recinto = self.recinto(jaula)
+        entorno = recinto.entorno
         con_shaders = nuevo.es_de_shaders(ref)
         self.compilador = (DeShaders if con_shaders else Compilador)(raiz, build, programa, ref, recinto)
         self.de_partida = nuevo.esqueleto(raiz, programa, ref), "" if con_shaders else programa.fuente.name
@@ -50,6 +49,14 @@ class Banco:
         self.arbitro.cache = self.cache(build / "corrige" / ref)
         partes = raiz, programa, ref, self.compilador, self.arbitro
         self.motivos = (MotivosDeShaders if con_shaders else Motivos)(*partes)
+        reglas.de_cada(len(self.motivos.trozos()))
+
+    def recinto(self, jaula):
+        entorno = procesos.entorno()
+        del entorno["MESA_SHADER_CACHE_DISABLE"]
+        entorno |= {"LP_NUM_THREADS": "0", "LANG": "C.UTF-8", "PATH": "/usr/bin:/bin"}
+        entorno["MESA_DISK_CACHE_SINGLE_FILE"] = "1"  # que se copia para cada partida
+        return Recinto(self.temporal, jaula, entorno)
 
     @functools.cached_property
     def donde(self):

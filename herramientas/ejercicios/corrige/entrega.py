@@ -132,7 +132,10 @@ class Entrega:
     @property
     def suyos(self):
         """Lo que alcanza el programa que se corrige, y sus shaders."""
-        alcanzados = self.alcance.desde(*self.intentos[0]) if self.intentos else self.ficheros
+        return self.los_que_alcanza(self.intentos[0] if self.intentos else ())
+
+    def los_que_alcanza(self, fuentes):
+        alcanzados = self.alcance.desde(*fuentes) if fuentes else self.ficheros
         return {f: c for f, c in self.ficheros.items() if f in alcanzados or tipo(f) in SHADERS}
 
     def mira_lo_que_falta(self):

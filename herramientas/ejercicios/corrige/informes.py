@@ -22,7 +22,30 @@ def lineas(c):
         if (donde := fallo["donde"]) and donde["dice"] not in dichos:
             frases.append(en_donde(fallo))
             dichos.append(donde["dice"])
-    return [*frases, *c.get("avisos", [])] or ["todo bien"]
+    return [*frases, *por_piezas(c), *c.get("avisos", [])] or ["todo bien"]
+
+
+FUERA = "lo que falla está fuera de ellas, o en cómo se juntan"
+
+
+def por_piezas(c):
+    """De dónde sale la nota, si no es 100 y no es solo lo entero; y si lo es, por qué."""
+    if c.get("entero"):
+        return [f"la nota es la de lo entero, y no pieza a pieza: {c['entero']}"]
+    partes = [f"«{corta(p['pide'])}», {cuanto(p['nota'])}" for p in c.get("piezas", ())]
+    return [f"pieza a pieza: {'; '.join(partes + [FUERA] * todas_bien(c))}"] if partes else []
+
+
+def todas_bien(c):
+    return all(p["nota"] == 100 for p in c["piezas"])
+
+
+def corta(frase, letras=60):
+    return frase if len(frase) <= letras else f"{frase[:letras].rpartition(' ')[0]}…"
+
+
+def cuanto(nota):
+    return "bien" if nota == 100 else f"{nota:g} de 100"
 
 
 def en_donde(fallo):
@@ -105,4 +128,5 @@ def pagina(c, programa, ref, suya="", quien="", de=None):
     si se hacen muchas."""
     datos = {"suya": suya, "quien": quien or c["entrega"], "programa": programa, "ref": ref}
     datos |= {"en_donde": en_donde, "ver": para_verlo(c, suya), "en_palabras": guiones.en_palabras, "en_html": en_html}
+    datos |= {"por_piezas": por_piezas, "todas_bien": todas_bien, "cuanto": cuanto, "FUERA": FUERA}
     return (de or plantilla()).render(c=c, **datos)

@@ -1,5 +1,6 @@
 """Lo que se empezó con otra versión del laboratorio: lo que hay entre las marcas, en el punto de partida de hoy."""
 import difflib
+import re
 
 from base.marcas import TROZO
 from ejercicios.corrige.entrega import MAIN, Entrega
@@ -9,9 +10,12 @@ SE_EMPEZO = "se empezó con otra versión del laboratorio"
 SE_CORRIGE = f"{SE_EMPEZO}: se ha corregido lo que hay entre las marcas, puesto en el punto de partida de hoy"
 
 
+EN_SU_RENGLON = re.compile(r"^[ \t]*(// .*?)[ \t]*$", re.M)  # una marca, aunque el editor la sangre con tabuladores
+
+
 def texto_de(contenido):
     crudo = contenido if isinstance(contenido, bytes) else contenido.encode()
-    return crudo.decode(errors="replace").replace("\r\n", "\n")
+    return EN_SU_RENGLON.sub(r"    \1", crudo.decode(errors="replace").replace("\r\n", "\n"))
 
 
 def trozos(texto, ref):

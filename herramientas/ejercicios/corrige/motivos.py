@@ -16,7 +16,6 @@ from ejercicios.corrige.entrega import Rechazo
 from ejercicios.corrige.partidas import Jugador
 
 ERRORES = "herramientas/ejercicios/errores"
-HUECOS = 3  # con más, los que faltan solo se prueban de uno en uno
 PAREJAS = 16  # de defectos, que se juegan: los que entre los dos más tocan lo mismo que la entrega, y no menos que esto
 TOCAN, GEMELOS = 0.6, 0.5
 SENALES = {
@@ -91,15 +90,10 @@ class Motivos:
         return [(f, t) for f in textos for t in marcas.TROZO.finditer(textos[f]) if t["codigo"] == self.ref]
 
     def huecos(self):
-        """Si se piden varias cosas, de cada una y de cada dos: qué son, y los ficheros con todo menos eso."""
+        """Si se piden varias cosas, de cada una: qué es, y los ficheros con todo menos ella."""
         trozos, textos = self.trozos(), self.textos()
-        hasta = len(trozos) if len(trozos) <= HUECOS else 2
-        for cuantas in range(1, hasta):
-            for faltan in itertools.combinations(trozos, cuantas):
-                sin = dict(textos)
-                for f, t in reversed(faltan):
-                    sin[f] = sin[f][: t.start()] + marcas.esqueleto(t[0]) + sin[f][t.end() :]
-                yield [t["pide"] for _, t in faltan], sin
+        for f, t in trozos if trozos[1:] else ():
+            yield t["pide"], textos | {f: textos[f][: t.start()] + marcas.esqueleto(t[0]) + textos[f][t.end() :]}
 
     def variantes(self):
         """(qué se le diría a quien la entregara, Jugador): el esqueleto y la solución con cada defecto, todos en un
@@ -165,15 +159,19 @@ class Motivos:
 
     def enumera(self, sitio):
         variantes = [("", self.jugador("esqueleto", sitio, "esqueleto"))]
-        for i, (piden, _) in enumerate(self.huecos()):
+        for i, (pide, _) in enumerate(self.huecos()):
             if (sitio / f"hueco{i}").is_dir():
-                faltan = "falta" if len(piden) == 1 else "faltan"
-                dice = f"parece que {faltan}: {'; y '.join(piden)}"
-                variantes.append((dice, self.jugador(f"hueco{i}", sitio, f"hueco{i}")))
+                variantes.append((f"parece que falta: {pide}", self.jugador(f"hueco{i}", sitio, f"hueco{i}")))
         for m in self.defectos:
             dice = f"parece que {m.dice}" if m.dice else f"parece este error: {m.imita}"
             variantes.append((dice, self.con_defecto(m, sitio)))
         return variantes
+
+    def sin_hacer(self, i):
+        """Quien juega la solución sin ese trozo, o None si así no compila."""
+        self.variantes()
+        sitio = self.compiladas()
+        return self.jugador(f"hueco{i}", sitio, f"hueco{i}") if (sitio / f"hueco{i}").is_dir() else None
 
     def jugador(self, nombre, sitio, carpeta, *antes, **entorno):
         raices = [*antes, sitio / carpeta / "fuentes" / SUYA, sitio / carpeta / "fuentes"]

@@ -15,7 +15,7 @@ from pathlib import Path
 
 from base.procesos import Fallo, escribe, principal
 from ejercicios import nuevo, propios, reglas
-from ejercicios.corrige import aula, clase, conjunto, entrega, informes, lector, shaders
+from ejercicios.corrige import aula, casa, clase, conjunto, entrega, informes, lector, shaders
 from ejercicios.corrige.banco import Banco
 from ejercicios.corrige.hoja import Hoja
 from ejercicios.corrige.jaula import Jaula
@@ -111,19 +111,24 @@ def main():
     que = opciones(sys.argv[3:])
     que.mios = (build.parent / "mios").absolute()
     carpeta, dentro, sueltos = aula.busca(que.mios, que.entrega, que.deja and que.deja.absolute())
+    repartido, otro = None, None
     programas, que.ejercicio = propios.resuelve(raiz, build, que.ejercicio)
     if que.ejercicio or dentro:
         ref, programa = ejercicio(raiz, programas, que.ejercicio)
     elif isinstance(carpeta, aula.Subida):
         raise Fallo(f"di qué ejercicio es: ./lab corrige {que.entrega} E3.5")
+    elif repartido := casa.lo_repartido(carpeta, programas):
+        ref, programa, _ = repartido
     else:
         ref, programa = entrega.ejercicio_de(carpeta, programas)
     if not ref:
         raise Fallo(f"{que.entrega} es una copia de {programa.nombre}: no hay ejercicio que corregir")
     if que.moodle and not dentro:
         raise Fallo(f"--moodle es de una clase, y {que.entrega} es una entrega")
+    if repartido:
+        otro = next(p for p in programas if not p.consola)  # como él se compila
     if que.programa:
-        return print(programa.objetivo)
+        return print((otro or programa).objetivo)
     puntua = reglas.del_programa(programa, que.reglas, que.guiones, shaders.reglas(ref))
     if dentro and sueltos:
         print(lector.limpio(f"En {que.entrega} hay sueltos, y se dejan: {', '.join(sueltos)}"), file=sys.stderr)
@@ -132,7 +137,11 @@ def main():
         jaula.comprueba()
     with tempfile.TemporaryDirectory() as temporal:
         os.chmod(temporal, 0o755)
-        banco = Banco(raiz, build, ref, programa, Path(temporal), jaula, que.semilla, puntua)
+        como = Path(temporal), jaula, que.semilla, puntua
+        if repartido:
+            banco = casa.BancoDeCasa(raiz, build, repartido, *como, otro)
+        else:
+            banco = Banco(raiz, build, ref, programa, *como)
         hecho = de_una_clase(que, banco, carpeta, dentro) if dentro else de_una(que, banco, carpeta)
         correcciones, fallos, destino = hecho
     if que.junit:

@@ -10,10 +10,11 @@ from pathlib import Path
 from base.guiones import acorta, sin_veces
 from base.procesos import en_png
 from ejercicios.corrige.arbitro import BIEN, CASI, aparte
-from ejercicios.corrige.entrega import COMENTARIO, Rechazo
+from ejercicios.corrige.entrega import Rechazo
 from ejercicios.corrige.motivos import SENALES, como_acaba, no_responden
 from ejercicios.corrige.donde import TRAZO
 from ejercicios.corrige.partidas import FINAL, TALLA, Guion, Partida, lee_ppm
+from ejercicios.corrige.piezas import NO_COMPILA, PARECE, Piezas, SoloLoEntero, pelado
 from ejercicios.reglas import Reglas
 
 VENTANA = 960, 720  # la que se abre
@@ -85,13 +86,28 @@ def juzga(arbitro, esperadas, partidas):
     return fallan, casi, otros
 
 
-def nota(todos, bien, casi, otros, reglas=Reglas()):
-    """La parte de los guiones que salen bien, con lo que vale cada uno, y con un fallo que cueste algo no es 100."""
+def parte(todos, bien, casi, reglas):
+    """La de los guiones que salen bien, de 0 a 1, con lo que vale cada uno; es 1 solo si valen todos."""
     valen = {g: reglas.peso(g) for g in todos}
-    puntos = (sum(valen[g] for g in bien) + reglas.casi / 100 * sum(valen[g] for g in casi)) / sum(valen.values())
+    return (sum(valen[g] for g in bien) + reglas.casi / 100 * sum(valen[g] for g in casi)) / sum(valen.values())
+
+
+def nota(todos, bien, casi, otros, reglas=Reglas(), piezas=()):
+    """Esa parte, junto con la de cada pieza, si se sabe, y sin lo que quita lo demás. Con un fallo que cueste algo no
+    es 100."""
+    puntos = reglas.junta(parte(todos, bien, casi, reglas), piezas)
     cuestan = sum(reglas.cuesta(que) for que in otros)
     todo = len(bien) == len(todos) or reglas.casi == 100 and len(bien) + len(casi) == len(todos)
     return min(round(puntos * (100 - cuestan), 1), 100 if todo and not cuestan else 99.9)
+
+
+def parte_de_pieza(banco, esperadas, partidas, sin_hacer):
+    """La de la solución con esa pieza; 0, si deja lo mismo que SIN_HACER, que juega la solución sin ella."""
+    fallan, casi, _ = juzga(banco.arbitro, esperadas, partidas)
+    es_de_nada = lambda g: banco.arbitro.difiere(banco.arbitro.juega(sin_hacer, g, esperadas[g]), partidas[g]) is None
+    if fallan and sin_hacer and all(map(es_de_nada, partidas)):
+        return 0
+    return parte(banco.todos, [g for g in partidas if g not in fallan], casi, banco.reglas)
 
 
 def en_su_ventana(ordenes, pixel, talla):
@@ -132,17 +148,47 @@ class Correccion:
                 if self.jugador.fuentes:
                     self.entrega.corregida(self.jugador.fuentes)
             except Rechazo as rechazo:
-                return {"nota": 0, "dice": [str(rechazo)], "fallos": []}
+                return {"nota": 0, "dice": [str(rechazo)], "fallos": [], "entero": NO_COMPILA}
+            self.carpeta = carpeta
             return self.compara()
+
+    @property
+    def hay_tiempo(self):
+        return self.gastado <= TOPE
+
+    def juega_todos(self, jugador):
+        """Lo que deja en cada guion; si se cuelga o tarda, solo en los primeros."""
+        jugador_suyo, self.jugador, partidas = self.jugador, jugador, {}
+        for guion in self.banco.todos:
+            partidas[guion] = self.juega(guion, self.esperadas[guion])
+            if sum(p.cuelga for p in partidas.values()) >= CUELGUES or not self.hay_tiempo:
+                break
+        self.jugador = jugador_suyo
+        return partidas
+
+    def parte_de(self, jugador, sin_hacer):
+        """La de una pieza, que juega ese, y qué errores conocidos son los suyos."""
+        partidas = self.juega_todos(jugador)
+        if not self.hay_tiempo:
+            raise SoloLoEntero("es muy lento")
+        suya = parte_de_pieza(self.banco, self.esperadas, partidas, sin_hacer)
+        fallan = [] if suya == 1 else juzga(self.arbitro, self.esperadas, partidas)[0]
+        porque = self.banco.motivos.por_que(partidas, self.esperadas, fallan) if fallan else []
+        return suya, ["; o ".join(filter(None, porque[:3]))] * any(porque)
+
+    def por_piezas(self):
+        """Lo que vale cada una y sus errores; y si no se puede saber, por qué: entonces cuenta solo lo entero."""
+        if not self.banco.reglas.huecos or self.banco.sin_solucion:
+            return [], self.banco.sin_solucion
+        try:
+            return Piezas(self).juega(), ""
+        except SoloLoEntero as por:
+            return [], str(por)
 
     def compara(self):
         todos, solucion = self.banco.todos, self.banco.compilador.solucion
         self.esperadas = {g: self.arbitro.juega(solucion, g) for g in todos}
-        self.partidas = {}
-        for guion in todos:
-            self.partidas[guion] = self.juega(guion, self.esperadas[guion])
-            if sum(p.cuelga for p in self.partidas.values()) >= CUELGUES or self.gastado > TOPE:
-                break
+        self.partidas = self.juega_todos(self.jugador)
         fallan, casi, otros = juzga(self.arbitro, self.esperadas, self.partidas)
         bien = [g for g in todos if g in self.partidas and g not in fallan]
         muestra = self.muestra(fallan)
@@ -160,9 +206,16 @@ class Correccion:
         if fallan:
             dice += [f"el programa avisa: {a}" for a in self.avisos()[:AVISOS]]
         casos = {g.nombre: g in bien for g in todos if g.caso}
-        suya = nota(todos, bien, casi, otros, self.banco.reglas)
-        cuenta = {"nota": suya, "bien": len(bien), "guiones": len(todos), "casos": casos}
-        return {**cuenta, "dice": dice, "fallos": muestra}
+        cuenta = {"bien": len(bien), "guiones": len(todos), "casos": casos, "dice": dice, "fallos": muestra}
+        todo = parte(todos, bien, casi, self.banco.reglas) == 1
+        piezas, entero = ([], "") if todo else self.por_piezas()
+        if not any(d.startswith(PARECE) for d in dice) and COMO_AL_EMPEZAR not in dice:
+            dice[:0] = [d for _, dicen in piezas for d in dicen]  # de varios errores a la vez, cada uno en su pieza
+        partes = [suya for suya, _ in piezas]
+        suya = nota(todos, bien, casi, otros, self.banco.reglas, partes)
+        piden = self.banco.motivos.trozos() if piezas else []
+        de_cada = [{"pide": t["pide"], "nota": round(100 * p, 1)} for (_, t), p in zip(piden, partes)]
+        return {"nota": suya, **cuenta, "piezas": de_cada, "entero": entero}
 
     def como_acaba(self, guion):
         partida = self.partidas[guion]
@@ -189,9 +242,8 @@ class Correccion:
 
     def es_lo_de_partida(self):
         """Sin mirar los comentarios ni los blancos."""
-        pelado = lambda texto: b"".join(COMENTARIO.sub(b"", texto).split())
         suyos = {*map(pelado, self.entrega.ficheros.values())}
-        return all(pelado(texto.encode()) in suyos for texto in self.banco.de_partida[0].values())
+        return all(pelado(texto) in suyos for texto in self.banco.de_partida[0].values())
 
     def explica(self, fallan, casi, muestra):
         if self.es_lo_de_partida():
@@ -259,7 +311,8 @@ class Correccion:
             jugadas[g.ordenes] = esperada, self.juega(g, esperada)
             return self.arbitro.difiere(*jugadas[g.ordenes]) is not None
 
-        if self.partidas[guion].cuelga or self.gastado > TOPE / 2:  # acortarlo es jugarlo otra vez, y otra
+        # acortarlo es jugarlo otra vez, y otra
+        if self.partidas[guion].cuelga or self.gastado > TOPE / 2 or self.banco.sin_solucion:
             return ordenes, *jugadas[guion.ordenes]
         if ordenes:
             ordenes = acorta(ordenes, falla, INTENTOS)
