@@ -35,6 +35,13 @@ export function tituloDe(orden) {
   return [orden.titulo, orden.frag, ...orden.pruebas].filter(Boolean).join(' · ');
 }
 
+/** La línea del programa en que se llama a OpenGL, con su texto si se pide: «grua.cpp:64, dibuja → dibujaSuelo». */
+function sitioDe({ sitio }, conTexto) {
+  if (!sitio) return '';
+  const texto = conTexto ? [': ', h('code', {}, sitio.texto)] : '';
+  return h('span', { class: 'sitio', title: sitio.texto }, sitio.dice, texto);
+}
+
 function mezclaDe(mezcla) {
   if (!mezcla) return '';
   const veces = (factores, color) => {
@@ -57,7 +64,7 @@ function historia(datos, elige) {
     const color = suceso.color?.map(c => (typeof c === 'number' ? c * 255 : c));
     return h('tr', { class: suceso.veredicto },
       h('td', {}, h('button', { title: 'La orden, más abajo', onclick: () => elige(suceso.orden, true) },
-        suceso.orden)), h('td', {}, tituloDe(orden)), h('td', {}, quien),
+        suceso.orden)), h('td', {}, tituloDe(orden), sitioDe(orden)), h('td', {}, quien),
       h('td', {}, color ? h('span', { class: 'color' }, muestra(color), vector(suceso.color.slice(0, 4), 3)) : ''),
       h('td', {}, suceso.profundidad === undefined ? '' : cifra(suceso.profundidad, 6)),
       h('td', {}, suceso.dice, mezclaDe(suceso.mezcla)),
@@ -212,7 +219,7 @@ const deTextura = t => [`${t.objetivo} ${t.talla.join('×')} ${t.formato}`,
 /** Lo que le llega a una orden: de cada caja, su título y sus filas, con el nombre que tiene en los shaders. */
 function fuentesDe({ atributos, uniformes, texturas, vao }) {
   const filas = (lista, nombre, dice, falta) => lista.map(cosa =>
-    ({ nombre: cosa[nombre], dice: dice(cosa), falta: falta(cosa) }));
+    ({ nombre: cosa[nombre], dice: dice(cosa), falta: falta(cosa), sitio: cosa.sitio }));
   const caja = (titulo, lista) => ({ titulo, filas: lista });
   const deBufer = bufer => caja(bufer ? `VAO ${vao} · buffer ${bufer}` : `VAO ${vao} · sin buffer`, filas(
     atributos.filter(a => (a.activo ? a.bufer : 0) === bufer), 'nombre', deAtributo, a => !a.activo));
@@ -235,9 +242,9 @@ function cableadoDe(orden, anterior, programa) {
   const pares = [], shaders = [['vert', 'Vertex shader'], ['frag', 'Fragment shader']].map(([etapa, titulo]) =>
     ({ etapa, titulo, filas: [] }));
   const izquierda = fuentesDe(orden.cableado).map(({ titulo, filas }) => h('section', {}, h('h4', {}, titulo),
-    h('ul', {}, filas.map(({ nombre, dice, falta }) => {
+    h('ul', {}, filas.map(({ nombre, dice, falta, sitio }) => {
       const clase = falta ? 'malo' : antes.size && antes.get(nombre) !== titulo + dice ? 'cambia' : '';
-      const fila = h('li', {}, h('code', {}, nombre), ' ', h('span', { class: clase }, dice));
+      const fila = h('li', {}, h('code', {}, nombre), ' ', h('span', { class: clase }, dice), sitioDe({ sitio }));
       for (const shader of shaders.filter(({ etapa }) => usa(etapa, nombre))) {
         const suya = h('li', {}, h('code', {}, nombre));
         shader.filas.push(suya);
@@ -269,7 +276,7 @@ function detalle(datos, indice) {
   }
   const cuantos = orden.fragmentos >= 0 ? `, ${orden.fragmentos} fragmentos escritos` : '';
   return [h('h3', {}, `${orden.n} · ${tituloDe(orden)}`),
-    h('p', {}, h('code', {}, orden.llamada), `, en ${orden.framebuffer}${cuantos}.`),
+    h('p', {}, h('code', {}, orden.llamada), `, en ${orden.framebuffer}${cuantos}. `, sitioDe(orden, true)),
     h('div', { class: 'laminas' }, laminas), orden.estado.length ? estadoDe(orden, anterior) : '',
     orden.cableado ? cableadoDe(orden, anterior, datos.programas.find(p => p.programa === orden.programa)) : ''];
 }
@@ -291,7 +298,7 @@ function ordenesDe(datos) {
   tira.append(...datos.ordenes.map((o, i) => h('li', { class: enHistoria.has(o.n) ? 'toca' : '' },
     h('button', { onclick: () => elige(o.n) },
       o.miniatura ? h('img', { src: ultima(datos.ordenes, i, 'miniatura'), alt: '' }) : '',
-      h('span', {}, `${o.n} · ${tituloDe(o)}`)))));
+      h('span', {}, `${o.n} · ${tituloDe(o)}`, sitioDe(o))))));
   return { elige, elemento: h('div', { class: 'ordenes' }, h('div', {}, mando, tira), sitio) };
 }
 
@@ -299,16 +306,18 @@ function resumen(datos, conImagen) {
   const final = datos.ordenes.filter(o => o.framebuffer === 'la ventana' && o.miniatura).at(-1);
   const partes = [];
   if (datos.sospechas.length)
-    partes.push(h('ul', { class: 'sospechas' }, datos.sospechas.map(s => h('li', {}, `${s.dice}. ${s.prueba}`))));
+    partes.push(h('ul', { class: 'sospechas' }, datos.sospechas.map(s => h('li', {}, `${s.dice}. ${s.prueba} `,
+      sitioDe(datos.ordenes.find(o => o.n === s.orden) ?? {}, true)))));
   if (!datos.pixel) return partes;
   const ultimo = datos.historia.filter(s => s.veredicto === 'escrito' && s.framebuffer === 0).at(-1);
   const orden = ultimo && datos.ordenes.find(o => o.n === ultimo.orden);
   const suya = ultimo?.tipo ? `el ${ultimo.tipo} ${ultimo.primitiva} de ` : '';
   const quien = orden && `${suya}la orden ${orden.n}, ${tituloDe(orden)}`;
+  const desde = orden?.sitio ? [', en ', sitioDe(orden, true)] : '';
   const marcas = marca('pixel', [...datos.pixel, 1, 1], datos.talla);
   const cuadro = final && lamina(final.miniatura, 'El cuadro, y el píxel', marcas);
   if (cuadro && conImagen) partes.push(h('div', { style: `max-width: ${ANCHO}px` }, cuadro));
-  const dado = quien ? ` y se lo ha dado ${quien}.` : '.';
+  const dado = quien ? [` y se lo ha dado ${quien}`, desde, '.'] : '.';
   partes.push(h('p', { class: 'dice' }, 'El píxel es ', conMuestra(datos.color), dado));
   return partes;
 }

@@ -1,6 +1,7 @@
 #include "cuadro.h"
 #include "enviado.h"
 #include "imagenes.h"
+#include "pila.h"
 #include "pixel.h"
 #include "programas.h"
 #include "sombreado.h"
@@ -37,6 +38,7 @@ bool enOrden = false; // si lo que se llama no es del programa
 void apuntaOrden(const Orden &orden) {
     const Lienzo lienzo = lienzoActual(c.ancho, c.alto);
     Json json = describe(orden, lienzo);
+    json.pon("pila", pilaActual());
     const bool dibuja = orden.que == Orden::Que::Dibuja;
     const Cableado cableado = dibuja ? cableadoActual(c.sumas) : Cableado();
     c.sospechas.antes(orden, lienzo, cableado, c.numero);
@@ -238,6 +240,7 @@ std::string explica(void (*dibuja)(), int ancho, int alto, const Pedido &que) {
     Json json;
     json.pon("talla", std::array<int, 2>{ancho, alto}).pon("ordenes", c.ordenes);
     json.pon("sospechas", sospechas).pon("programas", programasJson()).pon("pixeles", pixeles);
+    json.pon("pilas", pilasEnJson());
     return json.texto();
 }
 

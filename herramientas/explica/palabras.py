@@ -10,14 +10,20 @@ def rgb(color):
 
 
 def de_orden(orden):
-    """«12 triángulos · liso.frag · mezcla»."""
-    return " · ".join([orden["titulo"], *filter(None, [orden.get("frag")]), *orden["pruebas"]])
+    """«12 triángulos · liso.frag · mezcla · grua.cpp:64, dibuja → dibujaSuelo»."""
+    donde = [orden["sitio"]["dice"]] if "sitio" in orden else []
+    return " · ".join([orden["titulo"], *filter(None, [orden.get("frag")]), *orden["pruebas"], *donde])
 
 
 def de_suceso(suceso, orden):
     quien = f"{suceso['tipo']} {suceso['primitiva']} de {de_orden(orden)}" if "tipo" in suceso else de_orden(orden)
     cambia = f" → {rgb(suceso['despues'])}" if suceso["veredicto"] in ("escrito", "ajeno") else ""
     return f"{suceso['orden']:>4}  {quien}: {suceso['dice']}{cambia}"
+
+
+def de_sospecha(sospecha, ordenes):
+    suyo = ordenes.get(sospecha["orden"], {}).get("sitio")
+    return f"aviso: {sospecha['dice']}. {sospecha['prueba']}" + (f" Es {suyo['dice']}." if suyo else "")
 
 
 def cifra(numero):
@@ -71,7 +77,7 @@ def lo_que_falta(historia, ordenes):
 def cuadro(datos):
     """La historia del píxel o, si no se pide ninguno, las órdenes."""
     ordenes = {orden["n"]: orden for orden in datos["ordenes"]}
-    filas = [f"aviso: {sospecha['dice']}. {sospecha['prueba']}" for sospecha in datos["sospechas"]]
+    filas = [de_sospecha(sospecha, ordenes) for sospecha in datos["sospechas"]]
     if datos["pixel"]:
         x, y = datos["pixel"]
         filas += [f"{datos['programa']} en ({x}, {y}): {rgb(datos['color'])}"]

@@ -9,6 +9,7 @@ caso base de cada programa, o en todos sus casos, en N píxeles al azar, siempre
 - entre dos sucesos de la historia de un framebuffer nadie más cambia el píxel, ni lo cambia el que no escribe;
 - lo que pasa o no un test sale de comparar lo que pide con lo que había, lo copiado es lo que había donde se dice, y
   el que gana es el último;
+- la línea del programa que se dice de cada orden y de cada uniform es de uno suyo, y nombra lo que se dice que llama;
 - quien escribe cambia los canales que deja glColorMask y, si no mezcla, por los de su color.
 
 Sin decir el enlace, con el que se usa sin ventana y, si hay otro, uno de cada diez programas con él. Estado 1 si algo
@@ -29,7 +30,7 @@ from pathlib import Path
 
 RAIZ = Path(__file__).parents[2]
 sys.path.insert(0, str(RAIZ / "herramientas"))
-from base import catalogo, controles  # noqa: E402
+from base import catalogo, controles, llamadas  # noqa: E402
 
 ANCHO, ALTO = 240, 180
 SIN_SOSPECHAS = {  # lo que se sospecha, con razón, y aquí es así a propósito
@@ -183,6 +184,21 @@ def fallos_de_pixel(explicado, imagen, canales):
     yield from fallos_de_sombreado(explicado)
 
 
+def fallos_de_lineas(cuadro, ejecutable):
+    """De cada orden y de cada uniform dado, el renglón que se dice nombra a quien se dice que llama, o a OpenGL."""
+    pregunta = llamadas.pregunta(ejecutable, cuadro["pilas"])
+    respuesta = subprocess.run(pregunta, capture_output=True, text=True, check=True).stdout
+    sitios = llamadas.sitios(cuadro["pilas"], respuesta, lambda ruta: ruta.startswith(f"{RAIZ}/ch"))
+    todas = {(o["pila"], o["llamada"].partition("(")[0]) for o in cuadro["ordenes"]}
+    dados = (u for o in cuadro["ordenes"] for u in o.get("cableado", {}).get("uniformes", []) if u["dado"])
+    for pila, funcion in sorted(todas | {(u["pila"], "glUniform") for u in dados}):
+        suyo = sitios[pila]
+        texto = suyo and Path(suyo["ruta"]).read_text().splitlines()[suyo["linea"] - 1]
+        llama = suyo and (suyo["llama"] or funcion).rpartition("::")[2]
+        if not suyo or llama not in texto:
+            yield f"{funcion} se llama en {suyo}: «{texto}»"
+
+
 def dibuja(orden, carpeta, **entorno):
     """Su imagen, que debe salir sin nada que decir."""
     orden = [*orden, "-geometry", f"{ANCHO}x{ALTO}", "-ppm", "imagen.ppm"]
@@ -212,6 +228,7 @@ def fallos_de(build, orden, puntos, golden, sabido):
     fallos += [f"se sospecha: {dice}" for dice in dichas]
     if [tuple(e["pixel"]) for e in explicados] != puntos:
         fallos.append("no están los píxeles que se piden")
+    fallos += fallos_de_lineas(cuadro, orden[0])
     canales = canales_de(cuadro)
     return fallos + [f"{e['pixel']}: {fallo}" for e in explicados for fallo in fallos_de_pixel(e, imagen, canales)]
 
