@@ -71,7 +71,7 @@ function historia(datos, elige) {
       h('td', {}, /escrito|ajeno/.test(suceso.veredicto) ? conMuestra(suceso.despues) : ''));
   };
   const cabecera = ['orden', '', '', 'da el shader', 'profundidad', 'qué pasa', 'queda'];
-  const tabla = h('table', { class: 'historia' },
+  const tabla = h('table', { class: 'historia sucesos' },
     h('thead', {}, h('tr', {}, cabecera.map(texto => h('th', {}, texto)))), h('tbody', {}, datos.historia.map(fila)));
   return h('div', { class: 'tabla' }, tabla);
 }
@@ -102,13 +102,28 @@ function valorDe({ tipo, valor }) {
 
 const ESCRITO = { entra: 'se entra', vuelve: 'se vuelve', descarta: 'discard', caso: 'este caso' };
 
+/** Lo que se lee de una textura: con qué filtro, de qué niveles y de qué texels, con lo que pesa cada uno. */
+function lecturaDe({ escrito, motivo, filtro, lambda, niveles, texels, suma, valor }) {
+  if (motivo) return h('p', {}, h('i', {}, `${escrito}: ${motivo}`));
+  const deNivel = n => `nivel ${n.nivel}${n.peso < 1 ? ` · ${cifra(n.peso, 3)}` : ''}`;
+  const color = (v, cifras) => [muestra(v.map(c => 255 * c)), vector(v, cifras)];
+  const fila = t => h('tr', {}, h('td', {}, t.nivel), h('td', {}, vector(t.texel)), h('td', {}, cifra(t.peso, 3)),
+    h('td', {}, color(t.color, 3)));
+  return h('details', { class: 'lectura' }, h('summary', {}, `${filtro}, λ = ${cifra(lambda, 3)}: `,
+    niveles.map(deNivel).join(' + ')),
+  h('p', {}, `${escrito}. Un píxel abarca 2^λ texels: si λ no es positiva, la textura se amplía.`),
+  h('table', {}, h('tr', {}, ['nivel', 'texel', 'pesa', ''].map(t => h('th', {}, t))), texels.map(fila)),
+  h('p', {}, 'suman ', color(suma, 4), '; se ha leído ', color(valor, 4)));
+}
+
 /** Cada línea de un shader y, a su lado, lo que vale lo que se calcula en ella; en gris, las que no se ejecutan. */
-function fuenteDe(fuente, traza) {
+function fuenteDe(fuente, traza, lecturas = []) {
   const pasa = new Map(fuente.map((_, i) => [i + 1, []]));
   for (const l of traza.lineas) pasa.get(l.en)?.push(l);
   const podia = new Set(traza.apuntables), perdidas = new Map(traza.sinSeguir.map(a => [a.en, a.motivo]));
   const primera = traza.lineas.find(l => noNumero(l.valor));
-  let fichero;
+  const principal = fuente.at(-1)?.fichero;
+  let fichero, plegadas;
   const filas = fuente.flatMap((linea, i) => {
     const suyas = pasa.get(i + 1), veces = suyas.filter(l => l.valor.length || ESCRITO[l.clase]).slice(0, 12);
     const clase = primera && primera.en === i + 1 ? 'rara' : podia.has(i + 1) && !suyas.length ? 'no-se-ejecuta' : '';
@@ -117,10 +132,18 @@ function fuenteDe(fuente, traza) {
     const perdida = perdidas.has(i + 1) ? h('i', {}, `no sé seguir esta línea: ${perdidas.get(i + 1)}`) : '';
     const texto = h('td', {}, h('code', {}, linea.texto));
     const numero = h('td', { class: 'numero' }, linea.linea);
-    const fila = h('tr', { class: clase }, numero, texto, h('td', {}, valores, mas, perdida));
-    if (linea.fichero === fichero) return [fila];
+    const leido = lecturas.filter(l => l.en === i + 1).slice(0, 4).map(lecturaDe);
+    const fila = h('tr', { class: clase }, numero, texto, h('td', {}, valores, mas, perdida, leido));
+    const empieza = linea.fichero !== fichero;
     fichero = linea.fichero;
-    return [h('tr', {}, h('th', { colspan: 3 }, fichero)), fila];
+    if (empieza) plegadas = fichero === principal ? undefined : [];
+    fila.hidden = Boolean(plegadas) && /^\s*(\/\/.*)?$/.test(linea.texto); // la cabecera de una biblioteca
+    if (fila.hidden) plegadas.push(fila);
+    else plegadas = undefined;
+    if (!empieza) return [fila];
+    const suCabecera = plegadas, abre = () => { for (const f of suCabecera) f.hidden = !f.hidden; };
+    return [h('tr', {}, h('th', { colspan: 3 }, fichero,
+      suCabecera ? h('button', { title: 'Lo que dice su cabecera', onclick: abre }, '…') : '')), fila];
   });
   return h('div', { class: 'tabla' }, h('table', { class: 'fuente' }, h('tbody', {}, filas)));
 }
@@ -156,8 +179,73 @@ function sombreadoDe(datos) {
   }
   const { motivo } = sombreado.fragmento;
   partes.push(h('h2', {}, 'El shader que le da el color, línea a línea'),
-    motivo ? h('p', { class: 'malo' }, motivo) : '', fuenteDe(suyo.frag, sombreado.fragmento));
+    motivo ? h('p', { class: 'malo' }, motivo) : '', fuenteDe(suyo.frag, sombreado.fragmento, sombreado.lecturas));
   return partes;
+}
+
+const LADO = 260; // de cada lienzo de una malla
+const CUBO = [0, 1, 2, 3, 4, 5, 6, 7].map(i => [i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1]);
+
+/** Puntos en una caja de −1 a 1 alrededor de su centro. */
+function centrados(puntos) {
+  const ejes = [0, 1, 2].map(k => puntos.map(p => p[k])), [a, b] = [Math.min, Math.max].map(f => ejes.map(e => f(...e)));
+  const radio = Math.max(...a.map((_, k) => (b[k] - a[k]) / 2)) || 1;
+  return puntos.map(p => p.map((v, k) => (v - (a[k] + b[k]) / 2) / radio));
+}
+
+/** La malla de la orden antes y después del vertex shader, con el triángulo del píxel; se gira arrastrando. */
+function mallaDe({ malla, primitiva }) {
+  if (!malla?.antes) return [];
+  const despues = malla.despues.map(([x, y, z, w]) => (w > 0 ? [x / w, y / w, -z / w] : undefined)); // z, hacia aquí
+  const vistas = [['como está en el array', centrados(malla.antes), [], [0.5, -0.6]],
+    ['después del vertex shader, dividida por w: se ve lo que cae en el cubo', despues, CUBO, [0, 0]]];
+  return [h('h2', {}, 'La malla de esa orden'), h('div', { class: 'mallas' },
+    vistas.map(vista => unaMalla(malla.triangulos, primitiva, vista)))];
+}
+
+function unaMalla(triangulos, primitiva, [texto, puntos, cubo, giro]) {
+  const lienzo = h('canvas', { width: 2 * LADO, height: 2 * LADO, title: 'Se gira arrastrando' });
+  const aqui = ([x, y, z]) => {
+    const [[ca, sa], [cb, sb]] = giro.map(g => [Math.cos(g), Math.sin(g)]);
+    const [u, v] = [ca * x + sa * z, cb * y + sb * (sa * x - ca * z)];
+    return [LADO + 0.6 * LADO * u, LADO - 0.6 * LADO * v];
+  };
+  const pinta = () => {
+    const c = lienzo.getContext('2d'), color = getComputedStyle(lienzo).color;
+    c.clearRect(0, 0, 2 * LADO, 2 * LADO);
+    const traza = (indices, lista) => {
+      c.beginPath();
+      for (const i of indices) c.lineTo(...aqui(lista[i]));
+      c.closePath();
+    };
+    c.strokeStyle = color;
+    for (const cara of cubo.length ? [[0, 1, 3, 2], [4, 5, 7, 6], [0, 1, 5, 4], [2, 3, 7, 6]] : []) {
+      c.globalAlpha = 0.7;
+      traza(cara, cubo);
+      c.stroke();
+    }
+    c.globalAlpha = 0.25;
+    for (let t = 0; t < triangulos.length; t += 3) {
+      const tres = triangulos.slice(t, t + 3), suyo = t === 3 * primitiva;
+      if (!tres.every(i => puntos[i]?.every(Number.isFinite))) continue;
+      traza(tres, puntos);
+      c.stroke();
+      if (!suyo) continue;
+      c.globalAlpha = 1;
+      c.fillStyle = '#f08c00';
+      c.fill();
+      c.globalAlpha = 0.25;
+    }
+  };
+  lienzo.addEventListener('pointermove', e => {
+    if (!e.buttons) return;
+    giro[0] += 0.01 * e.movementX;
+    giro[1] -= 0.01 * e.movementY;
+    pinta();
+  });
+  lienzo.addEventListener('pointerdown', e => lienzo.setPointerCapture(e.pointerId));
+  requestAnimationFrame(pinta);
+  return h('figure', {}, lienzo, h('figcaption', {}, texto));
 }
 
 /** La última imagen de ese framebuffer hasta esa orden, por si ella no lo cambia. */
@@ -328,8 +416,10 @@ export function muestraCuadro(datos, contenedor, { conImagen = true } = {}) {
   const { elige, elemento } = ordenesDe(datos);
   const partes = resumen(datos, conImagen);
   if (datos.pixel) partes.push(h('h2', {}, 'La historia del píxel'), historia(datos, elige), ...loQueFalta(datos),
-    ...sombreadoDe(datos));
+    ...sombreadoDe(datos), ...mallaDe(datos.sombreado ?? {}));
   partes.push(h('h2', {}, 'El cuadro, orden a orden'), elemento);
+  if (typeof datos.veces?.imagen === 'string') partes.push(h('div', { style: `max-width: ${ANCHO}px` },
+    lamina(datos.veces.imagen, `Cuántas órdenes cambian cada píxel: en blanco, ${datos.veces.maximo}`)));
   contenedor.classList.add('cuadro-explicado');
   contenedor.replaceChildren(...partes);
   const escrito = datos.historia.filter(s => s.veredicto === 'escrito').at(-1);

@@ -55,7 +55,7 @@ void apuntaOrden(const Orden &orden) {
         c.copias.push_back({c.numero, GLuint(entero(GL_READ_FRAMEBUFFER_BINDING)), lienzo.nombre, orden});
     if (c.imagenes) {
         const Guardado guardado;
-        apuntaImagenes(lienzo, json);
+        apuntaImagenes(lienzo, json, dibuja);
     }
     c.ordenes.push_back(json.pon("n", c.numero));
 }
@@ -86,6 +86,8 @@ void llegaOrden(const Orden &orden) {
     const Punto p = c.pixel[0]; // de otro framebuffer, el que está en el mismo sitio
     const Punto enOtro = {p.x * lienzo.ancho / c.ancho, p.y * lienzo.alto / c.alto};
     c.sombreado = sombrea(orden, lienzo, seMira ? suyo->second : enOtro, c.primitivaSombreada);
+    if (c.imagenes)
+        c.sombreado.pon("malla", mallaEnJson(orden));
     orden.hazla();
 }
 
@@ -241,6 +243,8 @@ std::string explica(void (*dibuja)(), int ancho, int alto, const Pedido &que) {
     json.pon("talla", std::array<int, 2>{ancho, alto}).pon("ordenes", c.ordenes);
     json.pon("sospechas", sospechas).pon("programas", programasJson()).pon("pixeles", pixeles);
     json.pon("pilas", pilasEnJson());
+    if (c.imagenes)
+        json.pon("veces", vecesEnJson());
     return json.texto();
 }
 

@@ -99,6 +99,7 @@ def completa(raiz, cuadro, nombre, titulo, suyas):
                 orden[que] = png.en_url(**orden[que])
         if "programa" in orden:
             orden["frag"] = de_orden[orden["programa"]]
+    cuadro["veces"]["imagen"] = png.en_url(**cuadro["veces"]["imagen"]) if cuadro["veces"] else None
     [pixel] = cuadro.pop("pixeles") or [{"pixel": None, "color": None, "historia": []}]
     return {
         "programa": nombre,
@@ -120,6 +121,7 @@ def lineas(cuadro, sombreado):
         for traza in trazas:
             for que in ("lineas", "sinSeguir"):
                 traza[que] = fuentes.situa(traza[que], suyo[etapa])
+    sombreado["lecturas"] = fuentes.situa(sombreado["lecturas"], suyo["frag"])
     return sombreado["fragmento"]["lineas"]
 
 

@@ -50,6 +50,16 @@ def de_sombreado(lineas):
     return filas + [f"      lo primero que no es un número:{de_linea(raro)[5:]}" for raro in raros(lineas)[:1]]
 
 
+def de_lectura(lectura):
+    """De una textura, con qué filtro y de qué niveles: «textura.frag:10: texture(Img, st): GL_LINEAR, λ = −2.9, nivel
+    0»."""
+    de = f"      {lectura['fichero']}:{lectura['linea']}: {lectura['escrito']}: "
+    if lectura["motivo"]:
+        return de + lectura["motivo"]
+    niveles = [f"nivel {n['nivel']}" + f" · {cifra(n['peso'])}" * (n["peso"] < 1) for n in lectura["niveles"]]
+    return f"{de}{lectura['filtro']}, λ = {cifra(lectura['lambda'])}, {' + '.join(niveles)}"
+
+
 def sin_seguir(sombreado):
     """Por qué de un shader, o de una línea, no se dice nada."""
     trazas = [sombreado.get("fragmento"), *sombreado.get("vertices", [])[:1]]
@@ -83,7 +93,9 @@ def cuadro(datos):
         filas += [f"{datos['programa']} en ({x}, {y}): {rgb(datos['color'])}"]
         filas += [de_suceso(suceso, ordenes[suceso["orden"]]) for suceso in datos["historia"]]
         filas += [] if datos["historia"] else ["      ninguna orden de este cuadro lo toca"]
-        filas += de_sombreado(datos["lineas"]) + sin_seguir(datos.get("sombreado", {}))
+        sombreado = datos.get("sombreado", {})
+        filas += [*de_sombreado(datos["lineas"]), *map(de_lectura, sombreado.get("lecturas", [])[:FALTAN])]
+        filas += sin_seguir(sombreado)
         filas += lo_que_falta(datos["historia"], ordenes)
         return "\n".join(filas)
     filas += [f"{datos['programa']}: {len(ordenes)} órdenes"]

@@ -5,6 +5,7 @@ caso base de cada programa, o en todos sus casos, en N píxeles al azar, siempre
 - el color que se da de cada píxel es el de la imagen, y el último que escribe en la ventana su historia, también;
 - cada mezcla, hecha otra vez con el color del shader, da lo que queda, a nivel y medio;
 - el shader, línea a línea, da ese mismo color, y lo que le llega es lo que sale de mezclar sus vértices (a 1e-5);
+- lo que lee de una textura es la suma de los texels que se dicen, con su peso;
 - no se sospecha nada de ninguno;
 - entre dos sucesos de la historia de un framebuffer nadie más cambia el píxel, ni lo cambia el que no escribe;
 - lo que pasa o no un test sale de comparar lo que pide con lo que había, lo copiado es lo que había donde se dice, y
@@ -46,6 +47,7 @@ SIN_SOSPECHAS = {  # lo que se sospecha, con razón, y aquí es así a propósit
 TALLAS = "960x3", "3x960", "1x1"
 COPIADO = "copiado de otro framebuffer"
 PASAN = "escrito", "profundidad", "mascara"  # los que llegan al test de profundidad
+ANISOTROPO = "el filtro anisótropo lee más texels, que no sigo"
 PASOS = 4000  # los que apunta, como mucho, sombreado.cpp
 
 
@@ -156,10 +158,22 @@ def fallos_de_sombreado(explicado):
     salida = [linea["valor"] for linea in fragmento["lineas"] if linea["clase"] == "salida"]
     if suceso.get("color") and fragmento["pasos"] < PASOS and distancia(salida[-1], suceso["color"]) > 1 / 255:
         yield f"el shader da {suceso['color']} y línea a línea, {salida}"
+    for lectura in sombreado["lecturas"]:
+        yield from fallos_de_lectura(lectura)
     for entrada in sombreado.get("entradas", []):
         talla = max(1, *(abs(n) for n in entrada["valor"]))
         if distancia(entrada["interpolado"], entrada["valor"]) > 1e-5 * talla:
             yield f"{entrada['nombre']} vale {entrada['valor']} y de los vértices sale {entrada['interpolado']}"
+
+
+def fallos_de_lectura(lectura):
+    """De una textura: sus texels, con su peso, suman lo leído, y no se dice otra cosa sin decir por qué."""
+    texels = lectura.get("texels", [])
+    pesos = sum(t["peso"] for t in texels)
+    suma = [sum(t["peso"] * t["color"][c] for t in texels) for c in range(4)]
+    lejos = not texels or distancia(suma, lectura["valor"]) > 1.2 / 255
+    if lejos != bool(lectura["motivo"]) or lectura["motivo"] not in ("", ANISOTROPO) or abs(pesos - 1) > 1e-5:
+        yield f"{lectura['escrito']} da {lectura['valor']}, y de pesos {pesos}, {suma}: {lectura['motivo']}"
 
 
 def distancia(a, b):
