@@ -401,12 +401,12 @@ function resumen(datos, conImagen) {
   const orden = ultimo && datos.ordenes.find(o => o.n === ultimo.orden);
   const suya = ultimo?.tipo ? `el ${ultimo.tipo} ${ultimo.primitiva} de ` : '';
   const quien = orden && `${suya}la orden ${orden.n}, ${tituloDe(orden)}`;
-  const desde = orden?.sitio ? [', en ', sitioDe(orden, true)] : '';
+  const desde = orden?.sitio ? [', en ', sitioDe(orden, true)] : [];
   const marcas = marca('pixel', [...datos.pixel, 1, 1], datos.talla);
   const cuadro = final && lamina(final.miniatura, 'El cuadro, y el píxel', marcas);
   if (cuadro && conImagen) partes.push(h('div', { style: `max-width: ${ANCHO}px` }, cuadro));
-  const dado = quien ? [` y se lo ha dado ${quien}`, desde, '.'] : '.';
-  partes.push(h('p', { class: 'dice' }, 'El píxel es ', conMuestra(datos.color), dado));
+  const dado = quien ? [` y se lo ha dado ${quien}`, ...desde, '.'] : ['.'];
+  partes.push(h('p', { class: 'dice' }, 'El píxel es ', conMuestra(datos.color), ...dado));
   return partes;
 }
 

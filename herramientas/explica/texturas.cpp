@@ -11,7 +11,8 @@
 namespace explica {
 namespace {
 
-const double IGUAL = 1.1 / 255; // lo que se puede apartar la suma
+const double IGUAL = 1.1 / 255,
+             CONTRASTE = 1.0 / 128; // lo que se puede apartar: los pesos pueden ser de 8 bits
 
 GLint parametro(GLenum cual) {
     GLint valor = 0;
@@ -141,6 +142,15 @@ struct Suma {
     std::vector<Texel> texels;
     Valor suma{};
     double error = 0; // lo que se aparta de lo leído
+
+    bool cuadra() const {
+        double contraste = 0; // lo que va de un texel a otro
+        for (const Texel &uno : texels)
+            for (const Texel &otro : texels)
+                for (std::size_t c = 0; c < 4; ++c)
+                    contraste = std::max(contraste, uno.color[c] - otro.color[c]);
+        return error <= IGUAL + CONTRASTE * contraste;
+    }
 };
 
 std::optional<Suma> sumaDe(const Mezcla &m, const Lectura &l, Texels &texels) {
@@ -213,7 +223,7 @@ Json enJsonDe(const Suma &s) {
         .pon("niveles", niveles)
         .pon("texels", texels)
         .pon("suma", s.suma)
-        .pon("cuadra", s.error <= IGUAL);
+        .pon("cuadra", s.cuadra());
 }
 
 } // namespace
@@ -234,7 +244,7 @@ Json deLectura(GLuint programa, const Lectura &l) {
     }
     if (suma)
         json = enJsonDe(*suma);
-    const bool cuadra = suma && suma->error <= IGUAL;
+    const bool cuadra = suma && suma->cuadra();
     json.pon("linea", l.linea).pon("sampler", l.sampler).pon("escrito", l.escrito).pon("valor", l.valor);
     json.pon("coordenadas", std::array<double, 2>{l.coordenadas[0], l.coordenadas[1]});
     return json.pon("motivo", cuadra       ? ""

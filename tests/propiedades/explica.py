@@ -171,7 +171,8 @@ def fallos_de_lectura(lectura):
     texels = lectura.get("texels", [])
     pesos = sum(t["peso"] for t in texels)
     suma = [sum(t["peso"] * t["color"][c] for t in texels) for c in range(4)]
-    lejos = not texels or distancia(suma, lectura["valor"]) > 1.2 / 255
+    contraste = max((max(c) - min(c) for c in zip(*(t["color"] for t in texels))), default=0)
+    lejos = distancia(suma, lectura["valor"]) > 1.1 / 255 + contraste / 128 + 1e-6 if texels else True
     if lejos != bool(lectura["motivo"]) or lectura["motivo"] not in ("", ANISOTROPO) or abs(pesos - 1) > 1e-5:
         yield f"{lectura['escrito']} da {lectura['valor']}, y de pesos {pesos}, {suma}: {lectura['motivo']}"
 
