@@ -188,7 +188,8 @@ const CUBO = [0, 1, 2, 3, 4, 5, 6, 7].map(i => [i & 1 ? 1 : -1, i & 2 ? 1 : -1, 
 
 /** Puntos en una caja de −1 a 1 alrededor de su centro. */
 function centrados(puntos) {
-  const ejes = [0, 1, 2].map(k => puntos.map(p => p[k])), [a, b] = [Math.min, Math.max].map(f => ejes.map(e => f(...e)));
+  const ejes = [0, 1, 2].map(k => puntos.map(p => p[k]));
+  const [a, b] = [Math.min, Math.max].map(f => ejes.map(e => f(...e)));
   const radio = Math.max(...a.map((_, k) => (b[k] - a[k]) / 2)) || 1;
   return puntos.map(p => p.map((v, k) => (v - (a[k] + b[k]) / 2) / radio));
 }

@@ -60,8 +60,8 @@ struct Reescrito {
 ///   explica_0      de qué nota es el paso de cada hueco; -1 si ya no los hay
 ///   explica_1      (p, q, d, 0): p + 65536 q pasos dados; si d = 1, descarta
 ///   explica_2 …    el paso de cada hueco: lo que se apuntó, para `valor`
-/// `define`: lo que OpenGL define (lexico.h); sin él, de lo que dependa se avisa. `lecturas`: si se apunta lo que lee de
-/// cada uniform sampler2D.
+/// `define`: lo que OpenGL define (lexico.h); sin él, de lo que dependa se avisa. `lecturas`: si se apunta lo que lee
+/// de cada uniform sampler2D.
 Reescrito reescribe(const std::string &fuente, int salidas, Etapa etapa = Etapa::Fragmento,
                     const Define &define = {}, bool lecturas = false);
 

@@ -1,7 +1,7 @@
 // Lo que suele estar mal cuando la ventana queda negra o no es lo que se esperaba; solo lo que es así en este cuadro.
 #pragma once
 #include "cableado.h"
-#include "malla.h"
+#include "posiciones.h"
 #include <map>
 #include <set>
 

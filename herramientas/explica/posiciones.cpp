@@ -1,4 +1,4 @@
-#include "malla.h"
+#include "posiciones.h"
 #include "sueltas.h"
 #include <algorithm>
 #include <regex>
