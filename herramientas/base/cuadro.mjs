@@ -199,7 +199,8 @@ function mallaDe({ malla, primitiva }) {
   if (!malla?.antes) return [];
   const despues = malla.despues.map(([x, y, z, w]) => (w > 0 ? [x / w, y / w, -z / w] : undefined)); // z, hacia aquí
   const vistas = [['como está en el array', centrados(malla.antes), [], [0.5, -0.6]],
-    ['después del vertex shader, dividida por w: se ve lo que cae en el cubo', despues, CUBO, [0, 0]]];
+    ['después del vertex shader, dividida por w: se ve lo que cae en el cubo; sin lo que llega detrás de la cámara',
+      despues, CUBO, [0, 0]]];
   return [h('h2', {}, 'La malla de esa orden'), h('div', { class: 'mallas' },
     vistas.map(vista => unaMalla(malla.triangulos, primitiva, vista)))];
 }
