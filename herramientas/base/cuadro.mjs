@@ -35,6 +35,13 @@ export function tituloDe(orden) {
   return [orden.titulo, orden.frag, ...orden.pruebas].filter(Boolean).join(' · ');
 }
 
+/** La línea del programa en que se llama a OpenGL, con su texto si se pide: «grua.cpp:64, dibuja → dibujaSuelo». */
+function sitioDe({ sitio }, conTexto) {
+  if (!sitio) return '';
+  const texto = conTexto ? [': ', h('code', {}, sitio.texto)] : '';
+  return h('span', { class: 'sitio', title: sitio.texto }, sitio.dice, texto);
+}
+
 function mezclaDe(mezcla) {
   if (!mezcla) return '';
   const veces = (factores, color) => {
@@ -57,14 +64,14 @@ function historia(datos, elige) {
     const color = suceso.color?.map(c => (typeof c === 'number' ? c * 255 : c));
     return h('tr', { class: suceso.veredicto },
       h('td', {}, h('button', { title: 'La orden, más abajo', onclick: () => elige(suceso.orden, true) },
-        suceso.orden)), h('td', {}, tituloDe(orden)), h('td', {}, quien),
+        suceso.orden)), h('td', {}, tituloDe(orden), sitioDe(orden)), h('td', {}, quien),
       h('td', {}, color ? h('span', { class: 'color' }, muestra(color), vector(suceso.color.slice(0, 4), 3)) : ''),
       h('td', {}, suceso.profundidad === undefined ? '' : cifra(suceso.profundidad, 6)),
       h('td', {}, suceso.dice, mezclaDe(suceso.mezcla)),
       h('td', {}, /escrito|ajeno/.test(suceso.veredicto) ? conMuestra(suceso.despues) : ''));
   };
   const cabecera = ['orden', '', '', 'da el shader', 'profundidad', 'qué pasa', 'queda'];
-  const tabla = h('table', { class: 'historia' },
+  const tabla = h('table', { class: 'historia sucesos' },
     h('thead', {}, h('tr', {}, cabecera.map(texto => h('th', {}, texto)))), h('tbody', {}, datos.historia.map(fila)));
   return h('div', { class: 'tabla' }, tabla);
 }
@@ -95,13 +102,28 @@ function valorDe({ tipo, valor }) {
 
 const ESCRITO = { entra: 'se entra', vuelve: 'se vuelve', descarta: 'discard', caso: 'este caso' };
 
+/** Lo que se lee de una textura: con qué filtro, de qué niveles y de qué texels, con lo que pesa cada uno. */
+function lecturaDe({ escrito, motivo, filtro, lambda, niveles, texels, suma, valor }) {
+  if (motivo) return h('p', {}, h('i', {}, `${escrito}: ${motivo}`));
+  const deNivel = n => `nivel ${n.nivel}${n.peso < 1 ? ` · ${cifra(n.peso, 3)}` : ''}`;
+  const color = (v, cifras) => [muestra(v.map(c => 255 * c)), vector(v, cifras)];
+  const fila = t => h('tr', {}, h('td', {}, t.nivel), h('td', {}, vector(t.texel)), h('td', {}, cifra(t.peso, 3)),
+    h('td', {}, color(t.color, 3)));
+  return h('details', { class: 'lectura' }, h('summary', {}, `${filtro}, λ = ${cifra(lambda, 3)}: `,
+    niveles.map(deNivel).join(' + ')),
+  h('p', {}, `${escrito}. Un píxel abarca 2^λ texels: si λ no es positiva, la textura se amplía.`),
+  h('table', {}, h('tr', {}, ['nivel', 'texel', 'pesa', ''].map(t => h('th', {}, t))), texels.map(fila)),
+  h('p', {}, 'suman ', color(suma, 4), '; se ha leído ', color(valor, 4)));
+}
+
 /** Cada línea de un shader y, a su lado, lo que vale lo que se calcula en ella; en gris, las que no se ejecutan. */
-function fuenteDe(fuente, traza) {
+function fuenteDe(fuente, traza, lecturas = []) {
   const pasa = new Map(fuente.map((_, i) => [i + 1, []]));
   for (const l of traza.lineas) pasa.get(l.en)?.push(l);
   const podia = new Set(traza.apuntables), perdidas = new Map(traza.sinSeguir.map(a => [a.en, a.motivo]));
   const primera = traza.lineas.find(l => noNumero(l.valor));
-  let fichero;
+  const principal = fuente.at(-1)?.fichero;
+  let fichero, plegadas;
   const filas = fuente.flatMap((linea, i) => {
     const suyas = pasa.get(i + 1), veces = suyas.filter(l => l.valor.length || ESCRITO[l.clase]).slice(0, 12);
     const clase = primera && primera.en === i + 1 ? 'rara' : podia.has(i + 1) && !suyas.length ? 'no-se-ejecuta' : '';
@@ -110,10 +132,18 @@ function fuenteDe(fuente, traza) {
     const perdida = perdidas.has(i + 1) ? h('i', {}, `no sé seguir esta línea: ${perdidas.get(i + 1)}`) : '';
     const texto = h('td', {}, h('code', {}, linea.texto));
     const numero = h('td', { class: 'numero' }, linea.linea);
-    const fila = h('tr', { class: clase }, numero, texto, h('td', {}, valores, mas, perdida));
-    if (linea.fichero === fichero) return [fila];
+    const leido = lecturas.filter(l => l.en === i + 1).slice(0, 4).map(lecturaDe);
+    const fila = h('tr', { class: clase }, numero, texto, h('td', {}, valores, mas, perdida, leido));
+    const empieza = linea.fichero !== fichero;
     fichero = linea.fichero;
-    return [h('tr', {}, h('th', { colspan: 3 }, fichero)), fila];
+    if (empieza) plegadas = fichero === principal ? undefined : [];
+    fila.hidden = Boolean(plegadas) && /^\s*(\/\/.*)?$/.test(linea.texto); // la cabecera de una biblioteca
+    if (fila.hidden) plegadas.push(fila);
+    else plegadas = undefined;
+    if (!empieza) return [fila];
+    const suCabecera = plegadas, abre = () => { for (const f of suCabecera) f.hidden = !f.hidden; };
+    return [h('tr', {}, h('th', { colspan: 3 }, fichero,
+      suCabecera ? h('button', { title: 'Lo que dice su cabecera', onclick: abre }, '…') : '')), fila];
   });
   return h('div', { class: 'tabla' }, h('table', { class: 'fuente' }, h('tbody', {}, filas)));
 }
@@ -149,8 +179,75 @@ function sombreadoDe(datos) {
   }
   const { motivo } = sombreado.fragmento;
   partes.push(h('h2', {}, 'El shader que le da el color, línea a línea'),
-    motivo ? h('p', { class: 'malo' }, motivo) : '', fuenteDe(suyo.frag, sombreado.fragmento));
+    motivo ? h('p', { class: 'malo' }, motivo) : '', fuenteDe(suyo.frag, sombreado.fragmento, sombreado.lecturas));
   return partes;
+}
+
+const LADO = 260; // de cada lienzo de una malla
+const CUBO = [0, 1, 2, 3, 4, 5, 6, 7].map(i => [i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1]);
+
+/** Puntos en una caja de −1 a 1 alrededor de su centro. */
+function centrados(puntos) {
+  const ejes = [0, 1, 2].map(k => puntos.map(p => p[k]));
+  const [a, b] = [Math.min, Math.max].map(f => ejes.map(e => f(...e)));
+  const radio = Math.max(...a.map((_, k) => (b[k] - a[k]) / 2)) || 1;
+  return puntos.map(p => p.map((v, k) => (v - (a[k] + b[k]) / 2) / radio));
+}
+
+/** La malla de la orden antes y después del vertex shader, con el triángulo del píxel; se gira arrastrando. */
+function mallaDe({ malla, primitiva }) {
+  if (!malla?.antes) return [];
+  const despues = malla.despues.map(([x, y, z, w]) => (w > 0 ? [x / w, y / w, -z / w] : undefined)); // z, hacia aquí
+  const vistas = [['como está en el array', centrados(malla.antes), [], [0.5, -0.6]],
+    ['después del vertex shader, dividida por w: se ve lo que cae en el cubo; sin lo que llega detrás de la cámara',
+      despues, CUBO, [0, 0]]];
+  return [h('h2', {}, 'La malla de esa orden'), h('div', { class: 'mallas' },
+    vistas.map(vista => unaMalla(malla.triangulos, primitiva, vista)))];
+}
+
+function unaMalla(triangulos, primitiva, [texto, puntos, cubo, giro]) {
+  const lienzo = h('canvas', { width: 2 * LADO, height: 2 * LADO, title: 'Se gira arrastrando' });
+  const aqui = ([x, y, z]) => {
+    const [[ca, sa], [cb, sb]] = giro.map(g => [Math.cos(g), Math.sin(g)]);
+    const [u, v] = [ca * x + sa * z, cb * y + sb * (sa * x - ca * z)];
+    return [LADO + 0.6 * LADO * u, LADO - 0.6 * LADO * v];
+  };
+  const pinta = () => {
+    const c = lienzo.getContext('2d'), color = getComputedStyle(lienzo).color;
+    c.clearRect(0, 0, 2 * LADO, 2 * LADO);
+    const traza = (indices, lista) => {
+      c.beginPath();
+      for (const i of indices) c.lineTo(...aqui(lista[i]));
+      c.closePath();
+    };
+    c.strokeStyle = color;
+    for (const cara of cubo.length ? [[0, 1, 3, 2], [4, 5, 7, 6], [0, 1, 5, 4], [2, 3, 7, 6]] : []) {
+      c.globalAlpha = 0.7;
+      traza(cara, cubo);
+      c.stroke();
+    }
+    c.globalAlpha = 0.25;
+    for (let t = 0; t < triangulos.length; t += 3) {
+      const tres = triangulos.slice(t, t + 3), suyo = t === 3 * primitiva;
+      if (!tres.every(i => puntos[i]?.every(Number.isFinite))) continue;
+      traza(tres, puntos);
+      c.stroke();
+      if (!suyo) continue;
+      c.globalAlpha = 1;
+      c.fillStyle = '#f08c00';
+      c.fill();
+      c.globalAlpha = 0.25;
+    }
+  };
+  lienzo.addEventListener('pointermove', e => {
+    if (!e.buttons) return;
+    giro[0] += 0.01 * e.movementX;
+    giro[1] -= 0.01 * e.movementY;
+    pinta();
+  });
+  lienzo.addEventListener('pointerdown', e => lienzo.setPointerCapture(e.pointerId));
+  requestAnimationFrame(pinta);
+  return h('figure', {}, lienzo, h('figcaption', {}, texto));
 }
 
 /** La última imagen de ese framebuffer hasta esa orden, por si ella no lo cambia. */
@@ -212,7 +309,7 @@ const deTextura = t => [`${t.objetivo} ${t.talla.join('×')} ${t.formato}`,
 /** Lo que le llega a una orden: de cada caja, su título y sus filas, con el nombre que tiene en los shaders. */
 function fuentesDe({ atributos, uniformes, texturas, vao }) {
   const filas = (lista, nombre, dice, falta) => lista.map(cosa =>
-    ({ nombre: cosa[nombre], dice: dice(cosa), falta: falta(cosa) }));
+    ({ nombre: cosa[nombre], dice: dice(cosa), falta: falta(cosa), sitio: cosa.sitio }));
   const caja = (titulo, lista) => ({ titulo, filas: lista });
   const deBufer = bufer => caja(bufer ? `VAO ${vao} · buffer ${bufer}` : `VAO ${vao} · sin buffer`, filas(
     atributos.filter(a => (a.activo ? a.bufer : 0) === bufer), 'nombre', deAtributo, a => !a.activo));
@@ -235,9 +332,9 @@ function cableadoDe(orden, anterior, programa) {
   const pares = [], shaders = [['vert', 'Vertex shader'], ['frag', 'Fragment shader']].map(([etapa, titulo]) =>
     ({ etapa, titulo, filas: [] }));
   const izquierda = fuentesDe(orden.cableado).map(({ titulo, filas }) => h('section', {}, h('h4', {}, titulo),
-    h('ul', {}, filas.map(({ nombre, dice, falta }) => {
+    h('ul', {}, filas.map(({ nombre, dice, falta, sitio }) => {
       const clase = falta ? 'malo' : antes.size && antes.get(nombre) !== titulo + dice ? 'cambia' : '';
-      const fila = h('li', {}, h('code', {}, nombre), ' ', h('span', { class: clase }, dice));
+      const fila = h('li', {}, h('code', {}, nombre), ' ', h('span', { class: clase }, dice), sitioDe({ sitio }));
       for (const shader of shaders.filter(({ etapa }) => usa(etapa, nombre))) {
         const suya = h('li', {}, h('code', {}, nombre));
         shader.filas.push(suya);
@@ -269,7 +366,7 @@ function detalle(datos, indice) {
   }
   const cuantos = orden.fragmentos >= 0 ? `, ${orden.fragmentos} fragmentos escritos` : '';
   return [h('h3', {}, `${orden.n} · ${tituloDe(orden)}`),
-    h('p', {}, h('code', {}, orden.llamada), `, en ${orden.framebuffer}${cuantos}.`),
+    h('p', {}, h('code', {}, orden.llamada), `, en ${orden.framebuffer}${cuantos}. `, sitioDe(orden, true)),
     h('div', { class: 'laminas' }, laminas), orden.estado.length ? estadoDe(orden, anterior) : '',
     orden.cableado ? cableadoDe(orden, anterior, datos.programas.find(p => p.programa === orden.programa)) : ''];
 }
@@ -291,7 +388,7 @@ function ordenesDe(datos) {
   tira.append(...datos.ordenes.map((o, i) => h('li', { class: enHistoria.has(o.n) ? 'toca' : '' },
     h('button', { onclick: () => elige(o.n) },
       o.miniatura ? h('img', { src: ultima(datos.ordenes, i, 'miniatura'), alt: '' }) : '',
-      h('span', {}, `${o.n} · ${tituloDe(o)}`)))));
+      h('span', {}, `${o.n} · ${tituloDe(o)}`, sitioDe(o))))));
   return { elige, elemento: h('div', { class: 'ordenes' }, h('div', {}, mando, tira), sitio) };
 }
 
@@ -299,17 +396,19 @@ function resumen(datos, conImagen) {
   const final = datos.ordenes.filter(o => o.framebuffer === 'la ventana' && o.miniatura).at(-1);
   const partes = [];
   if (datos.sospechas.length)
-    partes.push(h('ul', { class: 'sospechas' }, datos.sospechas.map(s => h('li', {}, `${s.dice}. ${s.prueba}`))));
+    partes.push(h('ul', { class: 'sospechas' }, datos.sospechas.map(s => h('li', {}, `${s.dice}. ${s.prueba} `,
+      sitioDe(datos.ordenes.find(o => o.n === s.orden) ?? {}, true)))));
   if (!datos.pixel) return partes;
   const ultimo = datos.historia.filter(s => s.veredicto === 'escrito' && s.framebuffer === 0).at(-1);
   const orden = ultimo && datos.ordenes.find(o => o.n === ultimo.orden);
   const suya = ultimo?.tipo ? `el ${ultimo.tipo} ${ultimo.primitiva} de ` : '';
   const quien = orden && `${suya}la orden ${orden.n}, ${tituloDe(orden)}`;
+  const desde = orden?.sitio ? [', en ', sitioDe(orden, true)] : [];
   const marcas = marca('pixel', [...datos.pixel, 1, 1], datos.talla);
   const cuadro = final && lamina(final.miniatura, 'El cuadro, y el píxel', marcas);
   if (cuadro && conImagen) partes.push(h('div', { style: `max-width: ${ANCHO}px` }, cuadro));
-  const dado = quien ? ` y se lo ha dado ${quien}.` : '.';
-  partes.push(h('p', { class: 'dice' }, 'El píxel es ', conMuestra(datos.color), dado));
+  const dado = quien ? [` y se lo ha dado ${quien}`, ...desde, '.'] : ['.'];
+  partes.push(h('p', { class: 'dice' }, 'El píxel es ', conMuestra(datos.color), ...dado));
   return partes;
 }
 
@@ -319,8 +418,10 @@ export function muestraCuadro(datos, contenedor, { conImagen = true } = {}) {
   const { elige, elemento } = ordenesDe(datos);
   const partes = resumen(datos, conImagen);
   if (datos.pixel) partes.push(h('h2', {}, 'La historia del píxel'), historia(datos, elige), ...loQueFalta(datos),
-    ...sombreadoDe(datos));
+    ...sombreadoDe(datos), ...mallaDe(datos.sombreado ?? {}));
   partes.push(h('h2', {}, 'El cuadro, orden a orden'), elemento);
+  if (typeof datos.veces?.imagen === 'string') partes.push(h('div', { style: `max-width: ${ANCHO}px` },
+    lamina(datos.veces.imagen, `Cuántas órdenes cambian cada píxel: en blanco, ${datos.veces.maximo}`)));
   contenedor.classList.add('cuadro-explicado');
   contenedor.replaceChildren(...partes);
   const escrito = datos.historia.filter(s => s.veredicto === 'escrito').at(-1);

@@ -14,6 +14,7 @@ find_program(PYTHON NAMES python3 python HINTS /usr/bin NO_CMAKE_FIND_ROOT_PATH 
 function(precompila_cabeceras)
   add_library(precompilada OBJECT herramientas/cmake/precompilada.cpp)
   target_link_libraries(precompilada PRIVATE comun avisos)
+  target_compile_options(precompilada PRIVATE ${LAB_LINEAS}) # o no le vale a quien se compila con ella
   target_precompile_headers(precompilada PRIVATE <GL/glew.h> <GL/freeglut.h> <glm/glm.hpp> <glm/gtc/matrix_transform.hpp>
     <glm/gtc/type_ptr.hpp> <algorithm> <array> <cmath> <cstdio> <cstdlib> <string> <vector>)
 endfunction()
@@ -34,6 +35,7 @@ endfunction()
 function(compila objetivo fuente carpeta nombre tambien)
   add_library(${objetivo} OBJECT ${tambien} "${fuente}")
   target_link_libraries(${objetivo} PRIVATE comun avisos)
+  target_compile_options(${objetivo} PRIVATE ${LAB_LINEAS})
   if(TARGET precompilada)
     target_precompile_headers(${objetivo} REUSE_FROM precompilada)
   endif()

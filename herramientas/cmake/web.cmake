@@ -64,7 +64,7 @@ set_target_properties(reescritor PROPERTIES POSITION_INDEPENDENT_CODE OFF)
 target_compile_options(reescritor PRIVATE -fexceptions)
 add_library(explica STATIC
   ${carpeta}/arrays.cpp ${carpeta}/cableado.cpp ${carpeta}/cuadro.cpp ${carpeta}/enviado.cpp ${carpeta}/estado.cpp ${carpeta}/imagenes.cpp
-  ${carpeta}/lee_web.cpp ${carpeta}/nombres.cpp ${carpeta}/ordenes.cpp ${carpeta}/pixel.cpp ${carpeta}/primitivas.cpp
+  ${carpeta}/lee_web.cpp ${carpeta}/posiciones.cpp ${carpeta}/nombres.cpp ${carpeta}/ordenes.cpp ${carpeta}/pixel.cpp ${carpeta}/primitivas.cpp
   ${carpeta}/programas.cpp ${carpeta}/sombreado.cpp ${carpeta}/sospechas.cpp ${carpeta}/sueltas.cpp ${carpeta}/web.cpp)
 target_include_directories(explica PRIVATE ${sin_ventana})
 target_link_libraries(explica PUBLIC reescritor comun)

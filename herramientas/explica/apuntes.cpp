@@ -9,9 +9,9 @@ namespace {
 const std::size_t NOTAS = 4096, LETRAS = 80, LUGAR = 300;
 }
 
-Reescritor::Reescritor(Preprocesado entrada, int cuantasSalidas, bool esFragmento)
+Reescritor::Reescritor(Preprocesado entrada, int cuantasSalidas, bool esFragmento, bool conLecturas)
     : p(std::move(entrada.palabras)), cabeceraDelShader(std::move(entrada.cabecera)), salidas(cuantasSalidas),
-      fragmento(esFragmento) {
+      fragmento(esFragmento), apuntaLecturas(conLecturas && esFragmento) {
     for (const NoSe &e : entrada.avisos)
         r.sinSeguir.push_back({e.linea, e.fichero, e.what()});
     for (const Palabra &palabra : p)
@@ -34,7 +34,7 @@ Reescrito Reescritor::hace() {
     r.fuente = cabeceraDelShader;
     if (fragmento && !enES)
         r.fuente += "#ifndef GL_ES\n#extension GL_ARB_explicit_attrib_location : enable\n#endif\n";
-    r.fuente += preludio(salidas, fragmento, tipos, varian);
+    r.fuente += preludio(salidas, fragmento, tipos, varian, lecturas);
     if (fragmento && apariciones["gl_FragColor"])
         r.fuente += "vec4 explica_FragColor;\n";
     if (fragmento && apariciones["gl_FragData"])

@@ -230,9 +230,9 @@ Cableado cableadoActual(bool sumas) {
             v.nombre.substr(0, v.nombre.rfind('[')) + "[0]"; // un array se da desde el primero
         const bool lista = v.nombre.back() == ']';
         const GLint desde = lista ? glGetUniformLocation(programa, primero.c_str()) : v.donde;
-        c.uniformes.push_back({v, valorDe(programa, v), etapasDe(fuentes, v.nombre),
-                               seHaDado(programa, v.donde) || seHaDado(programa, desde),
-                               malDado(programa, v)});
+        const GLint dado = seHaDado(programa, v.donde) ? v.donde : desde;
+        c.uniformes.push_back({v, valorDe(programa, v), etapasDe(fuentes, v.nombre), seHaDado(programa, dado),
+                               malDado(programa, v), pilaDelEnvio(programa, dado)});
         const auto o = std::find_if(std::begin(OBJETIVOS), std::end(OBJETIVOS),
                                     [&](const Objetivo &otro) { return otro.sampler == v.tipo; });
         if (o != std::end(OBJETIVOS))
@@ -260,7 +260,8 @@ Json deCableado(const Cableado &c) {
                                 .pon("tipo", tipoDe(u.variable.tipo))
                                 .pon("valor", u.valor)
                                 .pon("etapas", u.etapas)
-                                .pon("dado", u.dado));
+                                .pon("dado", u.dado)
+                                .pon("pila", u.pila));
     for (const Textura &t : c.texturas) {
         Json json;
         json.pon("sampler", t.sampler)

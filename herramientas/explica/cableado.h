@@ -26,6 +26,7 @@ struct Uniforme {
     std::vector<std::string> etapas; // los shaders en que está: «vert», «frag»
     bool dado = true;                // si alguien le ha dado un valor
     std::string malDado = "";        // la función con que se le ha dado, si no es la suya
+    int pila = -1;                   // desde dónde se le ha dado
 };
 
 struct Textura {

@@ -1,6 +1,7 @@
 #include "cuadro.h"
 #include "enviado.h"
 #include "imagenes.h"
+#include "pila.h"
 #include "pixel.h"
 #include "programas.h"
 #include "sombreado.h"
@@ -37,6 +38,7 @@ bool enOrden = false; // si lo que se llama no es del programa
 void apuntaOrden(const Orden &orden) {
     const Lienzo lienzo = lienzoActual(c.ancho, c.alto);
     Json json = describe(orden, lienzo);
+    json.pon("pila", pilaActual());
     const bool dibuja = orden.que == Orden::Que::Dibuja;
     const Cableado cableado = dibuja ? cableadoActual(c.sumas) : Cableado();
     c.sospechas.antes(orden, lienzo, cableado, c.numero);
@@ -53,7 +55,7 @@ void apuntaOrden(const Orden &orden) {
         c.copias.push_back({c.numero, GLuint(entero(GL_READ_FRAMEBUFFER_BINDING)), lienzo.nombre, orden});
     if (c.imagenes) {
         const Guardado guardado;
-        apuntaImagenes(lienzo, json);
+        apuntaImagenes(lienzo, json, dibuja);
     }
     c.ordenes.push_back(json.pon("n", c.numero));
 }
@@ -84,6 +86,8 @@ void llegaOrden(const Orden &orden) {
     const Punto p = c.pixel[0]; // de otro framebuffer, el que está en el mismo sitio
     const Punto enOtro = {p.x * lienzo.ancho / c.ancho, p.y * lienzo.alto / c.alto};
     c.sombreado = sombrea(orden, lienzo, seMira ? suyo->second : enOtro, c.primitivaSombreada);
+    if (c.imagenes)
+        c.sombreado.pon("malla", mallaEnJson(orden));
     orden.hazla();
 }
 
@@ -238,6 +242,9 @@ std::string explica(void (*dibuja)(), int ancho, int alto, const Pedido &que) {
     Json json;
     json.pon("talla", std::array<int, 2>{ancho, alto}).pon("ordenes", c.ordenes);
     json.pon("sospechas", sospechas).pon("programas", programasJson()).pon("pixeles", pixeles);
+    json.pon("pilas", pilasEnJson());
+    if (c.imagenes)
+        json.pon("veces", vecesEnJson());
     return json.texto();
 }
 

@@ -1,6 +1,7 @@
 #include "enviado.h"
 #include "cuadro.h"
 #include "nombres.h"
+#include "pila.h"
 #include <algorithm>
 #include <map>
 #include <regex>
@@ -55,6 +56,7 @@ struct Programa {
     std::map<std::string, Nombre> nombres;
     std::map<GLint, std::string> enSitio;
     std::map<GLint, std::set<std::string>> sitiosDados; // con las formas en que se ha dado
+    std::map<GLint, int> pilas;                         // desde dónde, la última vez
     std::vector<std::pair<std::string, Envio>> dados;   // por su orden
     std::map<std::string, Envio> perdidos;              // por su forma, los que no se sabe a qué nombre van
 };
@@ -72,8 +74,10 @@ void apunta(GLint donde, const std::string &forma, const HazEnvio &hazEnvio) {
     const auto sitio = p.enSitio.find(donde);
     if (donde >= 0 && sitio == p.enSitio.end())
         return;
-    if (donde >= 0)
+    if (donde >= 0) {
         p.sitiosDados[donde].insert(forma);
+        p.pilas[donde] = pilaActual();
+    }
     if (EN_WEB && donde >= 0 && !seExplica())
         return; // al explicar se dibuja otra vez, y se envía otra vez
     const std::string &suyo = donde >= 0 ? sitio->second : nombre;
@@ -280,6 +284,11 @@ Direccion tapaEnvio(const std::string &nombre) {
 
 bool seHaDado(GLuint programa, GLint donde) {
     return programas[programa].sitiosDados.count(donde) > 0;
+}
+
+int pilaDelEnvio(GLuint programa, GLint donde) {
+    const auto suya = programas[programa].pilas.find(donde);
+    return suya == programas[programa].pilas.end() ? -1 : suya->second;
 }
 
 std::string malDado(GLuint programa, const Variable &uniform) {

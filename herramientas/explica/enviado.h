@@ -12,6 +12,9 @@ Direccion tapaEnvio(const std::string &nombre);
 /// Si a ese uniform de ese programa, que está donde dice, se le ha dado un valor.
 bool seHaDado(GLuint programa, GLint donde);
 
+/// Desde dónde se le ha dado, la última vez: el número de la pila (pila.h), o -1.
+int pilaDelEnvio(GLuint programa, GLint donde);
+
 /// La función que no es la suya con que se le ha dado: glUniform1f a un sampler. Vacío si ninguna.
 std::string malDado(GLuint programa, const Variable &uniform);
 

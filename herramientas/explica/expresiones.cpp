@@ -212,7 +212,26 @@ Expresion Reescritor::llamada(bool construye) {
     e.efectos |= funciones.count(nombre.texto) > 0;
     if (tipo.cuantos != 0)
         e.tipo.cuantos = int(dados.size());
+    if (nombre.texto == "texture" && apuntaLecturas && !congelado && funciones.count("texture") == 0)
+        apuntaLectura(e, dados);
     return e;
+}
+
+// Lo que se lee de un sampler2D que es un uniform.
+void Reescritor::apuntaLectura(Expresion &e, const std::vector<Expresion> &dados) {
+    if (dados.size() < 2 || dados.size() > 3 || dados[0].tipo.base != "sampler2D" ||
+        dados[0].hasta - dados[0].desde != 1)
+        return;
+    const auto global = ambitos[0].find(p[dados[0].desde].texto);
+    if (global == ambitos[0].end() || busca(global->first) != &global->second)
+        return; // es un parámetro
+    const Palabra &sampler = p[dados[0].desde];
+    const int nota = apunta(Clase::Lee, sampler, sampler.texto, "vec4");
+    apunta(Clase::Lee, sampler, texto(&p[dados[0].desde - 2], &p[i]), "vec3");
+    if (apunta(Clase::Lee, sampler, "", "vec4") < 0)
+        return;
+    e.texto.replace(0, std::string("texture (").size(), "explica_lee ( " + std::to_string(nota) + " ,");
+    lecturas.insert(dados.size());
 }
 
 std::vector<Expresion> Reescritor::argumentos(const std::string &funcion) {

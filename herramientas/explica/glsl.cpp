@@ -4,9 +4,10 @@
 
 namespace explica {
 
-Reescrito reescribe(const std::string &fuente, int salidas, Etapa etapa, const Define &define) {
+Reescrito reescribe(const std::string &fuente, int salidas, Etapa etapa, const Define &define,
+                    bool lecturas) {
     try {
-        return Reescritor(preprocesa(fuente, define), salidas, etapa == Etapa::Fragmento).hace();
+        return Reescritor(preprocesa(fuente, define), salidas, etapa == Etapa::Fragmento, lecturas).hace();
     } catch (const NoSe &e) {
         return {"", {}, {{e.linea, e.fichero, e.what()}}};
     }

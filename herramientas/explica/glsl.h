@@ -22,7 +22,8 @@ enum class Clase {
     Devuelve,  // lo que devuelve
     Vuelve,    // sale sin devolver nada (void); también main
     Descarta,  // discard (void): lo último que se apunta
-    Salida     // valor final de lo que da el shader
+    Salida,    // valor final de lo que da el shader
+    Lee // de texture(), en tres notas: dFdx y dFdy de sus coordenadas; ellas y lo que se suma al nivel; lo leído
 };
 
 /// Un sitio del shader que se apunta. Su número es su lugar en Reescrito::notas.
@@ -59,9 +60,10 @@ struct Reescrito {
 ///   explica_0      de qué nota es el paso de cada hueco; -1 si ya no los hay
 ///   explica_1      (p, q, d, 0): p + 65536 q pasos dados; si d = 1, descarta
 ///   explica_2 …    el paso de cada hueco: lo que se apuntó, para `valor`
-/// `define`: lo que OpenGL define (lexico.h); sin él, de lo que dependa se avisa.
+/// `define`: lo que OpenGL define (lexico.h); sin él, de lo que dependa se avisa. `lecturas`: si se apunta lo que lee
+/// de cada uniform sampler2D.
 Reescrito reescribe(const std::string &fuente, int salidas, Etapa etapa = Etapa::Fragmento,
-                    const Define &define = {});
+                    const Define &define = {}, bool lecturas = false);
 
 /// Cuántos pasos salen cada vez: salidas - 2, de 1 a 4.
 int huecosDe(int salidas);

@@ -71,13 +71,16 @@ Imagen enGrises(const Lienzo &l, const std::vector<float> &profundidades) {
 }
 
 struct Visto {
-    Imagen color;
+    Imagen color, veces;
     std::vector<float> profundidad;
     std::vector<unsigned char> plantilla;
 };
 std::map<GLuint, Visto> vistos;
 
-void apuntaColor(const Imagen &nueva, Imagen &vieja, Json &orden) {
+void apuntaColor(const Imagen &nueva, Visto &visto, Json &orden, bool dibuja) {
+    Imagen &vieja = visto.color, &veces = visto.veces;
+    if (veces.bytes.size() * 3 != nueva.bytes.size())
+        veces = {nueva.ancho, nueva.alto, 1, std::vector<unsigned char>(nueva.bytes.size() / 3)};
     const bool otra = vieja.bytes.size() != nueva.bytes.size();
     int cuantos = 0, x0 = nueva.ancho, y0 = nueva.alto, x1 = -1, y1 = -1;
     for (int y = 0; y < nueva.alto; ++y)
@@ -86,6 +89,8 @@ void apuntaColor(const Imagen &nueva, Imagen &vieja, Json &orden) {
             if (!otra && std::equal(&nueva.bytes[i], &nueva.bytes[i] + 3, &vieja.bytes[i]))
                 continue;
             ++cuantos;
+            veces.bytes[i / 3] =
+                static_cast<unsigned char>(dibuja ? std::min(veces.bytes[i / 3] + 1, 255) : 0);
             x0 = std::min(x0, x), y0 = std::min(y0, y), x1 = std::max(x1, x), y1 = std::max(y1, y);
         }
     orden.pon("cambian", cuantos);
@@ -102,14 +107,24 @@ void olvidaImagenes() {
     vistos.clear();
 }
 
-void apuntaImagenes(const Lienzo &l, Json &orden) {
+Json vecesEnJson() {
+    Imagen veces = vistos[0].veces;
+    if (veces.bytes.empty())
+        return {};
+    const int maximo = *std::max_element(veces.bytes.begin(), veces.bytes.end());
+    for (unsigned char &v : veces.bytes)
+        v = static_cast<unsigned char>(255 * v / std::max(maximo, 1));
+    return Json().pon("maximo", maximo).pon("imagen", miniatura(veces));
+}
+
+void apuntaImagenes(const Lienzo &l, Json &orden, bool dibuja) {
     Visto &visto = vistos[l.nombre];
     if (l.ancho < 1 || l.alto < 1)
         return;
     if (l.conColor())
         apuntaColor(enBytes(l, leeColores(l, 0, 0, l.ancho, l.alto), 4, 3,
                             [](float c) { return std::clamp(c, 0.0f, 1.0f) * 255 + 0.5f; }),
-                    visto.color, orden);
+                    visto, orden, dibuja);
     if (l.muestras)
         return; // las muestras de profundidad y de plantilla no se promedian
     if (l.bitsProfundidad) {

@@ -11,13 +11,14 @@ import sys
 import tempfile
 from pathlib import Path
 
-from base import paginas, procesos
+from base import llamadas, paginas, procesos
 from base.procesos import Fallo, escribe, principal
 from explica import fuentes, palabras, png
 
 PLANTILLA = Path(__file__).with_name("explica.html")
 SEGUNDOS = 300
 DEL_PROGRAMA = "-guion", "-geometry"
+DE_NADIE = "common", "glut", "herramientas", "build"  # lo que en la raíz no es un programa
 
 
 def opciones(palabras_):
@@ -68,6 +69,27 @@ def ejecuta(build, ejecutable, pixel, suyas):
         return {**cuadro, "sospechas": cuadro["sospechas"] + error}
 
 
+def pon_sitios(raiz, cuadro, ejecutable):
+    """A cada orden y a cada uniform, la línea del programa en que se llama a OpenGL, con su texto."""
+    pilas, textos = cuadro.pop("pilas"), {}
+    respuesta = procesos.lanza(llamadas.pregunta(ejecutable, pilas), timeout=SEGUNDOS, text=True).stdout
+
+    def es_suyo(ruta):
+        return not ruta.startswith("/usr/") and not any(Path(ruta).is_relative_to(raiz / de) for de in DE_NADIE)
+
+    def texto(ruta, linea):
+        fichero = Path(ruta)
+        if ruta not in textos:
+            textos[ruta] = fichero.read_text(errors="replace").splitlines() if fichero.is_file() else []
+        return next(iter(textos[ruta][linea - 1 : linea]), "").strip()
+
+    todos = llamadas.sitios(pilas, respuesta, es_suyo)
+    for cosa in (c for o in cuadro["ordenes"] for c in (o, *o.get("cableado", {}).get("uniformes", []))):
+        numero = cosa.pop("pila")
+        if numero >= 0 and (suyo := todos[numero]):
+            cosa["sitio"] = {**suyo, "texto": texto(suyo["ruta"], suyo["linea"])}
+
+
 def completa(raiz, cuadro, nombre, titulo, suyas):
     """Con los ficheros de que sale cada shader, las miniaturas en PNG y, arriba, lo del píxel."""
     de_orden = fuentes.reconoce(raiz, cuadro["programas"])
@@ -77,6 +99,7 @@ def completa(raiz, cuadro, nombre, titulo, suyas):
                 orden[que] = png.en_url(**orden[que])
         if "programa" in orden:
             orden["frag"] = de_orden[orden["programa"]]
+    cuadro["veces"]["imagen"] = png.en_url(**cuadro["veces"]["imagen"]) if cuadro["veces"] else None
     [pixel] = cuadro.pop("pixeles") or [{"pixel": None, "color": None, "historia": []}]
     return {
         "programa": nombre,
@@ -98,6 +121,7 @@ def lineas(cuadro, sombreado):
         for traza in trazas:
             for que in ("lineas", "sinSeguir"):
                 traza[que] = fuentes.situa(traza[que], suyo[etapa])
+    sombreado["lecturas"] = fuentes.situa(sombreado["lecturas"], suyo["frag"])
     return sombreado["fragmento"]["lineas"]
 
 
@@ -106,7 +130,9 @@ def main():
     raiz, build, destino = Path(raiz), Path(build), Path(destino)
     pixel, fichero, suyas = opciones(resto)
     ejecutable = build / (build / "sin_ventana").read_text().strip() / capitulo / programa
-    cuadro = completa(raiz, ejecuta(build, ejecutable, pixel, suyas), nombre, titulo, suyas)
+    cuadro = ejecuta(build, ejecutable, pixel, suyas)
+    pon_sitios(raiz, cuadro, ejecutable)
+    cuadro = completa(raiz, cuadro, nombre, titulo, suyas)
     if pixel and any(n >= largo for n, largo in zip(cuadro["pixel"], cuadro["talla"])):
         raise Fallo("explica: {} {} está fuera de la ventana, de {}×{}".format(*cuadro["pixel"], *cuadro["talla"]))
     pagina = destino / f"{nombre}.html"

@@ -10,14 +10,20 @@ def rgb(color):
 
 
 def de_orden(orden):
-    """«12 triángulos · liso.frag · mezcla»."""
-    return " · ".join([orden["titulo"], *filter(None, [orden.get("frag")]), *orden["pruebas"]])
+    """«12 triángulos · liso.frag · mezcla · grua.cpp:64, dibuja → dibujaSuelo»."""
+    donde = [orden["sitio"]["dice"]] if "sitio" in orden else []
+    return " · ".join([orden["titulo"], *filter(None, [orden.get("frag")]), *orden["pruebas"], *donde])
 
 
 def de_suceso(suceso, orden):
     quien = f"{suceso['tipo']} {suceso['primitiva']} de {de_orden(orden)}" if "tipo" in suceso else de_orden(orden)
     cambia = f" → {rgb(suceso['despues'])}" if suceso["veredicto"] in ("escrito", "ajeno") else ""
     return f"{suceso['orden']:>4}  {quien}: {suceso['dice']}{cambia}"
+
+
+def de_sospecha(sospecha, ordenes):
+    suyo = ordenes.get(sospecha["orden"], {}).get("sitio")
+    return f"aviso: {sospecha['dice']}. {sospecha['prueba']}" + (f" Es {suyo['dice']}." if suyo else "")
 
 
 def cifra(numero):
@@ -42,6 +48,16 @@ def de_sombreado(lineas):
     suyas = [linea for linea in lineas if linea["valor"] and linea["clase"] in SE_DICEN]
     filas = [de_linea(linea) for linea in suyas if linea["funcion"] in ("main", "")][:MAXIMO]
     return filas + [f"      lo primero que no es un número:{de_linea(raro)[5:]}" for raro in raros(lineas)[:1]]
+
+
+def de_lectura(lectura):
+    """De una textura, con qué filtro y de qué niveles: «textura.frag:10: texture(Img, st): GL_LINEAR, λ = −2.9, nivel
+    0»."""
+    de = f"      {lectura['fichero']}:{lectura['linea']}: {lectura['escrito']}: "
+    if lectura["motivo"]:
+        return de + lectura["motivo"]
+    niveles = [f"nivel {n['nivel']}" + f" · {cifra(n['peso'])}" * (n["peso"] < 1) for n in lectura["niveles"]]
+    return f"{de}{lectura['filtro']}, λ = {cifra(lectura['lambda'])}, {' + '.join(niveles)}"
 
 
 def sin_seguir(sombreado):
@@ -71,13 +87,15 @@ def lo_que_falta(historia, ordenes):
 def cuadro(datos):
     """La historia del píxel o, si no se pide ninguno, las órdenes."""
     ordenes = {orden["n"]: orden for orden in datos["ordenes"]}
-    filas = [f"aviso: {sospecha['dice']}. {sospecha['prueba']}" for sospecha in datos["sospechas"]]
+    filas = [de_sospecha(sospecha, ordenes) for sospecha in datos["sospechas"]]
     if datos["pixel"]:
         x, y = datos["pixel"]
         filas += [f"{datos['programa']} en ({x}, {y}): {rgb(datos['color'])}"]
         filas += [de_suceso(suceso, ordenes[suceso["orden"]]) for suceso in datos["historia"]]
         filas += [] if datos["historia"] else ["      ninguna orden de este cuadro lo toca"]
-        filas += de_sombreado(datos["lineas"]) + sin_seguir(datos.get("sombreado", {}))
+        sombreado = datos.get("sombreado", {})
+        filas += [*de_sombreado(datos["lineas"]), *map(de_lectura, sombreado.get("lecturas", [])[:FALTAN])]
+        filas += sin_seguir(sombreado)
         filas += lo_que_falta(datos["historia"], ordenes)
         return "\n".join(filas)
     filas += [f"{datos['programa']}: {len(ordenes)} órdenes"]

@@ -93,7 +93,7 @@ std::string acaba(int huecos) {
 } // namespace
 
 std::string preludio(int salidas, bool fragmento, const std::set<std::string> &tipos,
-                     const std::set<std::string> &varian) {
+                     const std::set<std::string> &varian, const std::set<std::size_t> &lecturas) {
     const int huecos = huecosDe(salidas);
     std::string s =
         "#ifdef GL_ES\nprecision highp float;\nprecision highp int;\n#endif\n" +
@@ -109,6 +109,13 @@ std::string preludio(int salidas, bool fragmento, const std::set<std::string> &t
         for (const bool mas : {true, false})
             s += t + (mas ? " explica_mas" : " explica_menos") + "(int n, inout " + t + " x) { " + t +
                  " v = x" + (mas ? "++" : "--") + "; explica_v(n, x); return v; }\n";
+    for (const std::size_t cuantos : lecturas) {
+        const bool conMas = cuantos == 3;
+        s += std::string("vec4 explica_lee(int n, sampler2D s, vec2 c") + (conMas ? ", float mas" : "") +
+             ") { explica_v(n, vec4(dFdx(c), dFdy(c))); explica_v(n + 1, vec3(c, " +
+             (conMas ? "mas" : "0.0") + ")); return explica_v(n + 2, texture(s, c" + (conMas ? ", mas" : "") +
+             ")); }\n";
+    }
     return s;
 }
 

@@ -43,7 +43,7 @@ struct Cabeza {
 
 class Reescritor {
 public:
-    Reescritor(Preprocesado entrada, int cuantasSalidas, bool esFragmento);
+    Reescritor(Preprocesado entrada, int cuantasSalidas, bool esFragmento, bool conLecturas);
     Reescrito hace();
 
 private:
@@ -52,7 +52,7 @@ private:
     std::string cabeceraDelShader;
     std::size_t i = 0;
     int salidas, hondo = 0;
-    bool fragmento;
+    bool fragmento, apuntaLecturas;
     std::map<std::string, int> apariciones; // de cada palabra
 
     // Lo que se sabe
@@ -70,6 +70,7 @@ private:
     // Lo que sale
     Reescrito r;
     std::set<std::string> tipos, varian;
+    std::set<std::size_t> lecturas; // de texture(), con cuántos argumentos
     std::string alEmpezar, alAcabar;
     std::set<std::string> daba; // las salidas de un fragment shader, que pasan a ser variables como las demás
 
@@ -112,6 +113,7 @@ private:
     Expresion primaria();
     Expresion llamada(bool construye);
     std::vector<Expresion> argumentos(const std::string &funcion);
+    void apuntaLectura(Expresion &e, const std::vector<Expresion> &dados);
     void trasPosfijo(Expresion &e);
     void apuntaAsignacion(Expresion &a, const std::string &lugar, bool repetible, bool toda);
 

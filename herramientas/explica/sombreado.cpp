@@ -1,6 +1,7 @@
 #include "sombreado.h"
 #include "enviado.h"
 #include "glsl.h"
+#include "texturas.h"
 #include <algorithm>
 #include <functional>
 #include <map>
@@ -9,8 +10,9 @@
 namespace explica {
 namespace {
 
-const int SALIDAS = 6;   // las que salen cada vez
-const long PASOS = 4000; // los que se apuntan, como mucho
+const int SALIDAS = 6;           // las que salen cada vez
+const long PASOS = 4000;         // los que se apuntan, como mucho
+const std::size_t LECTURAS = 64; // de texturas, que se explican
 
 using Salidas = std::vector<std::array<float, 4 * SALIDAS>>; // de cada vértice, o del fragmento
 
@@ -60,7 +62,7 @@ Reescribible reescribeEn(GLuint original, Etapa etapa) {
             shaders.push_back(f.shader);
             continue;
         }
-        r.reescrito = reescribe(f.texto, SALIDAS, etapa, define);
+        r.reescrito = reescribe(f.texto, SALIDAS, etapa, define, !EN_WEB);
         nuevo = compila(cual, r.reescrito.fuente);
         r.motivo = nuevo ? "" : "no sé seguir este shader";
         shaders.push_back(nuevo);
@@ -263,13 +265,15 @@ std::vector<Traza> trazas(const Reescribible &r, const Ejecuta &ejecuta) {
 const char *nombreClase(Clase clase) {
     const char *const NOMBRES[] = {"entrada",  "global", "declara",  "asigna",    "condicion",
                                    "vuelta",   "caso",   "entra",    "argumento", "sale",
-                                   "devuelve", "vuelve", "descarta", "salida"};
+                                   "devuelve", "vuelve", "descarta", "salida",    "lee"};
     return NOMBRES[int(clase)];
 }
 
 std::vector<Json> lineas(const Traza &traza) {
     std::vector<Json> lista;
     for (const Paso &p : traza.apuntado) {
+        if (p.nota->clase == Clase::Lee)
+            continue; // va aparte
         Json linea;
         linea.pon("linea", p.nota->linea)
             .pon("clase", nombreClase(p.nota->clase))
@@ -291,11 +295,29 @@ Json enJsonDe(const Reescribible &r, const Traza &traza) {
     std::vector<int>
         apuntables; // las líneas en que puede pasar algo: las que no están entre las otras no se ejecutan
     for (const Nota &nota : r.reescrito.notas)
-        if (!nota.funcion.empty() && (apuntables.empty() || apuntables.back() != nota.linea))
+        if (!nota.funcion.empty() && nota.clase != Clase::Lee &&
+            (apuntables.empty() || apuntables.back() != nota.linea))
             apuntables.push_back(nota.linea);
     json.pon("pasos", traza.pasos).pon("lineas", lineas(traza)).pon("sinSeguir", sinSeguir);
     json.pon("apuntables", apuntables);
     return json.pon("motivo", r.motivo);
+}
+
+std::vector<Json> lecturasDe([[maybe_unused]] GLuint programa,
+                             [[maybe_unused]] const std::vector<Paso> &pasos) {
+    std::vector<Json> lista;
+#ifndef __EMSCRIPTEN__ // ahí las texturas no se pueden leer así
+    for (std::size_t i = 0; i + 2 < pasos.size() && lista.size() < LECTURAS; ++i) {
+        const Paso &uno = pasos[i], &otro = pasos[i + 1], &ultimo = pasos[i + 2];
+        if (uno.nota->clase != Clase::Lee)
+            continue;
+        if (!uno.valor.empty() && !otro.valor.empty() && !ultimo.valor.empty())
+            lista.push_back(deLectura(programa, {uno.nota->linea, uno.nota->nombre, otro.nota->nombre,
+                                                 uno.valor, otro.valor, ultimo.valor}));
+        i += 2;
+    }
+#endif
+    return lista;
 }
 
 using Pesos = std::array<double, 3>;
@@ -397,6 +419,7 @@ Json sombrea(const Orden &orden, const Lienzo &l, Punto p, int primitiva) {
             posiciones[i] = posicion->valor;
     }
     json.pon("fragmento", enJsonDe(deFragmento, fragmento)).pon("vertices", deCada);
+    json.pon("lecturas", lecturasDe(programa, fragmento.apuntado));
     if (conPosicion) {
         const auto pesos = pesosDe(posiciones, p);
         json.pon("pesos", pesos[0]).pon("pesosSinPerspectiva", pesos[1]);

@@ -1,18 +1,11 @@
 // Lo que suele estar mal cuando la ventana queda negra o no es lo que se esperaba; solo lo que es así en este cuadro.
 #pragma once
 #include "cableado.h"
-#include "deduce.h"
-#include "ordenes.h"
+#include "posiciones.h"
 #include <map>
 #include <set>
 
 namespace explica {
-
-/// Los vértices de una orden y, si están todos, sus triángulos.
-struct Malla {
-    Puntos puntos;
-    std::vector<GLuint> triangulos;
-};
 
 struct Sospecha {
     int gravedad; // antes las mayores

@@ -94,7 +94,7 @@ def test_ver(lab):
 def test_explica(lab):
     """Un píxel de la grúa, que es de su base; y uno de más."""
     dicho = lab("explica E3.5 120 90 -geometry 240x180 -guion 'tecla d' --json f.json", dice="grua en (120, 90): (")
-    assert "\n   1  borra color, profundidad: borrado → (222, 237, 250)\n" in dicho
+    assert re.search(r"\n   1  borra color, profundidad · grua.cpp:\d+, dibuja: borrado → \(222, 237, 250\)\n", dicho)
     assert lab.deja("f.json", b'{\n "programa": "grua"')
     assert "muestraCuadro" in (lab.sitio / "explica/grua.html").read_text()
     for fuera in ("240 179", "239 180"):

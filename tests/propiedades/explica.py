@@ -5,10 +5,12 @@ caso base de cada programa, o en todos sus casos, en N píxeles al azar, siempre
 - el color que se da de cada píxel es el de la imagen, y el último que escribe en la ventana su historia, también;
 - cada mezcla, hecha otra vez con el color del shader, da lo que queda, a nivel y medio;
 - el shader, línea a línea, da ese mismo color, y lo que le llega es lo que sale de mezclar sus vértices (a 1e-5);
+- lo que lee de una textura es la suma de los texels que se dicen, con su peso;
 - no se sospecha nada de ninguno;
 - entre dos sucesos de la historia de un framebuffer nadie más cambia el píxel, ni lo cambia el que no escribe;
 - lo que pasa o no un test sale de comparar lo que pide con lo que había, lo copiado es lo que había donde se dice, y
   el que gana es el último;
+- la línea del programa que se dice de cada orden y de cada uniform es de uno suyo, y nombra lo que se dice que llama;
 - quien escribe cambia los canales que deja glColorMask y, si no mezcla, por los de su color.
 
 Sin decir el enlace, con el que se usa sin ventana y, si hay otro, uno de cada diez programas con él. Estado 1 si algo
@@ -29,7 +31,7 @@ from pathlib import Path
 
 RAIZ = Path(__file__).parents[2]
 sys.path.insert(0, str(RAIZ / "herramientas"))
-from base import catalogo, controles  # noqa: E402
+from base import catalogo, controles, llamadas  # noqa: E402
 
 ANCHO, ALTO = 240, 180
 SIN_SOSPECHAS = {  # lo que se sospecha, con razón, y aquí es así a propósito
@@ -45,6 +47,7 @@ SIN_SOSPECHAS = {  # lo que se sospecha, con razón, y aquí es así a propósit
 TALLAS = "960x3", "3x960", "1x1"
 COPIADO = "copiado de otro framebuffer"
 PASAN = "escrito", "profundidad", "mascara"  # los que llegan al test de profundidad
+ANISOTROPO = "el filtro anisótropo lee más texels, que no sigo"
 PASOS = 4000  # los que apunta, como mucho, sombreado.cpp
 
 
@@ -155,10 +158,23 @@ def fallos_de_sombreado(explicado):
     salida = [linea["valor"] for linea in fragmento["lineas"] if linea["clase"] == "salida"]
     if suceso.get("color") and fragmento["pasos"] < PASOS and distancia(salida[-1], suceso["color"]) > 1 / 255:
         yield f"el shader da {suceso['color']} y línea a línea, {salida}"
+    for lectura in sombreado["lecturas"]:
+        yield from fallos_de_lectura(lectura)
     for entrada in sombreado.get("entradas", []):
         talla = max(1, *(abs(n) for n in entrada["valor"]))
         if distancia(entrada["interpolado"], entrada["valor"]) > 1e-5 * talla:
             yield f"{entrada['nombre']} vale {entrada['valor']} y de los vértices sale {entrada['interpolado']}"
+
+
+def fallos_de_lectura(lectura):
+    """De una textura: sus texels, con su peso, suman lo leído, y no se dice otra cosa sin decir por qué."""
+    texels = lectura.get("texels", [])
+    pesos = sum(t["peso"] for t in texels)
+    suma = [sum(t["peso"] * t["color"][c] for t in texels) for c in range(4)]
+    contraste = max((max(c) - min(c) for c in zip(*(t["color"] for t in texels))), default=0)
+    lejos = distancia(suma, lectura["valor"]) > 1.1 / 255 + contraste / 128 + 1e-6 if texels else True
+    if lejos != bool(lectura["motivo"]) or lectura["motivo"] not in ("", ANISOTROPO) or abs(pesos - 1) > 1e-5:
+        yield f"{lectura['escrito']} da {lectura['valor']}, y de pesos {pesos}, {suma}: {lectura['motivo']}"
 
 
 def distancia(a, b):
@@ -181,6 +197,21 @@ def fallos_de_pixel(explicado, imagen, canales):
         yield f"lo último escrito es {escritos[-1]} y queda {suyo}"
     yield from fallos_de_historia(explicado["historia"], canales)
     yield from fallos_de_sombreado(explicado)
+
+
+def fallos_de_lineas(cuadro, ejecutable):
+    """De cada orden y de cada uniform dado, el renglón que se dice nombra a quien se dice que llama, o a OpenGL."""
+    pregunta = llamadas.pregunta(ejecutable, cuadro["pilas"])
+    respuesta = subprocess.run(pregunta, capture_output=True, text=True, check=True).stdout
+    sitios = llamadas.sitios(cuadro["pilas"], respuesta, lambda ruta: ruta.startswith(f"{RAIZ}/ch"))
+    todas = {(o["pila"], o["llamada"].partition("(")[0]) for o in cuadro["ordenes"]}
+    dados = (u for o in cuadro["ordenes"] for u in o.get("cableado", {}).get("uniformes", []) if u["dado"])
+    for pila, funcion in sorted(todas | {(u["pila"], "glUniform") for u in dados}):
+        suyo = sitios[pila]
+        texto = suyo and Path(suyo["ruta"]).read_text().splitlines()[suyo["linea"] - 1]
+        llama = suyo and (suyo["llama"] or funcion).rpartition("::")[2]
+        if not suyo or llama not in texto:
+            yield f"{funcion} se llama en {suyo}: «{texto}»"
 
 
 def dibuja(orden, carpeta, **entorno):
@@ -212,6 +243,7 @@ def fallos_de(build, orden, puntos, golden, sabido):
     fallos += [f"se sospecha: {dice}" for dice in dichas]
     if [tuple(e["pixel"]) for e in explicados] != puntos:
         fallos.append("no están los píxeles que se piden")
+    fallos += fallos_de_lineas(cuadro, orden[0])
     canales = canales_de(cuadro)
     return fallos + [f"{e['pixel']}: {fallo}" for e in explicados for fallo in fallos_de_pixel(e, imagen, canales)]
 

@@ -4,7 +4,7 @@ import re
 import shutil
 from pathlib import Path
 
-from base import compilacion
+from base import compilacion, llamadas
 from base.fuentes import SHADERS
 from ejercicios import nuevo
 from ejercicios.corrige.entrega import Alcance, Rechazo
@@ -116,11 +116,27 @@ class Compilador:
         pasos = [f"0x{max(int(paso, 16) - 1, 0):x}" for paso in llamadas]  # se vuelve a la de después
         if not pasos or not shutil.which("addr2line"):
             return ""
-        orden = ["addr2line", "-i", "-e", jugador.programa, *pasos]
-        dicho = desempaqueta(self.recinto.ajeno(orden, COMPILA, [jugador.programa.parent])).get("salida", b"")
-        suya = f"{jugador.raices[-1] / SUYA}/"
-        lineas = re.findall(rf"^{re.escape(suya)}(.+):(\d+)", dicho.decode(errors="replace"), re.M)
+        dicho = self.en_su_ejecutable(["addr2line", "-i", "-e", jugador.programa, *pasos], jugador)
+        lineas = re.findall(rf"^{re.escape(self.suya(jugador))}(.+):(\d+)", dicho, re.M)
         return next((f"{f}:{linea}" for f, linea in lineas if f in ficheros), "")
+
+    def linea_de_una_llamada(self, ficheros, jugador, pila):
+        """La de lo suyo desde la que se llama a OpenGL, con las funciones en que está, o nada."""
+        if not jugador.fuentes or not pila["llamadas"] or not shutil.which("addr2line"):
+            return ""
+        suya = self.suya(jugador)
+        dicho = self.en_su_ejecutable(llamadas.pregunta(jugador.programa, [pila]), jugador)
+        [sitio] = llamadas.sitios([pila], dicho, lambda ruta: ruta.removeprefix(suya) in ficheros)
+        return sitio["dice"] if sitio else ""
+
+    @staticmethod
+    def suya(jugador):
+        return f"{jugador.raices[-1] / SUYA}/"
+
+    def en_su_ejecutable(self, orden, jugador):
+        """Lo que escribe esa orden, que lo lee, encerrada como él."""
+        salida = desempaqueta(self.recinto.ajeno(orden, COMPILA, [jugador.programa.parent])).get("salida", b"")
+        return salida.decode(errors="replace")
 
     def avisos(self, ficheros, jugador):
         """De lo que avisa el compilador en los ficheros de una entrega ya compilada."""

@@ -23,7 +23,7 @@ SUCESO = {
     "plantillaDespues?": float,
 }
 ATRIBUTO = {"nombre": str, "activo": bool, "bufer": int, "componentes": int, "suma": str}
-UNIFORME = {"nombre": str, "tipo": str, "valor": [float]}
+UNIFORME = {"nombre": str, "tipo": str, "valor": [float], "pila": int}
 TEXTURA = {
     "sampler": str,
     "unidad": int,
@@ -33,6 +33,7 @@ TEXTURA = {
 CABLEADO = {"atributos": [ATRIBUTO], "uniformes": [UNIFORME], "texturas": [TEXTURA], "sumaIndices": str}
 ORDEN = {
     "n": int,
+    "pila": int,
     "llamada": str,
     "titulo": str,
     "framebuffer": str,
@@ -47,6 +48,7 @@ CUADRO = {
     "ordenes": [ORDEN],
     "programas": [{"programa": int, "vert?": str, "frag?": str}],
     "pixeles": [PIXEL],
+    "pilas": [{"llamadas": [int]}],
 }
 
 

@@ -3,6 +3,8 @@ en que más se apartan (herramientas/explica), y se dice lo primero que no es lo
 píxel, la primera en que se apartan, y de ella lo que le llega (shaders, uniforms, arrays, texturas), su estado, lo que
 se pide dibujar o la primera línea de sus shaders que da otra cosa; si no, qué primitiva lo cubre o qué prueba no pasa.
 
+De lo suyo se dice también en qué línea se dibuja, o se envía.
+
 De la solución se dicen valores, y nombres que la entrega también tiene; nunca su texto."""
 import difflib
 import re
@@ -243,9 +245,14 @@ class Comparacion:
         return suyo.get(etapa) or ""
 
     def primera(self):
-        """Lo primero en que se apartan, o None: `que`, `dice`. Antes lo que dice de dónde sale que lo que solo dice que
-        no es lo mismo."""
-        return min(self.halladas(), key=de_poco, default=None)
+        """Lo primero en que se apartan, o None: `que`, `dice` y, si se sabe, la `pila` de lo suyo. Antes lo que dice de
+        dónde sale que lo que solo dice que no es lo mismo."""
+        return self.con_pila(min(self.halladas(), key=de_poco, default=None))
+
+    def con_pila(self, hallada):
+        pilas = self.cuadros[0]["pilas"]
+        suya = hallada.pop("pila", -1) if hallada else -1
+        return {**hallada, "pila": pilas[suya]} if 0 <= suya < len(pilas) and hallada["que"] != "linea" else hallada
 
     def halladas(self):
         for mia, suya in self.pares:
@@ -258,7 +265,7 @@ class Comparacion:
             de_mia, de_suya = self.sucesos(0, mia), self.sucesos(1, suya)
             cual = self.suceso_distinto(de_mia, de_suya)
             if cual is not None:
-                yield self.de_orden(mia, suya, cual, de_mia.get(cual), de_suya.get(cual))
+                yield {"pila": mia["pila"], **self.de_orden(mia, suya, cual, de_mia.get(cual), de_suya.get(cual))}
             if self.se_sombrea:
                 return
 
@@ -268,12 +275,12 @@ class Comparacion:
             if mia and suya and mia["fragmentos"]:
                 hallado = self.de_lo_que_llega(mia, suya)
                 if hallado and not de_poco(hallado):
-                    return hallado
+                    return self.con_pila({"pila": mia["pila"], **hallado})
         return None
 
     def suelta(self, mia, suya):
         if mia:
-            return {"que": "sobra", "dice": f"sobra {self.llama(mia)}: en lo esperado no está"}
+            return {"que": "sobra", "pila": mia["pila"], "dice": f"sobra {self.llama(mia)}: en lo esperado no está"}
         if self.es_de_encima(suya, 1):
             return {"que": "falta", "dice": f"falta {self.llama(suya, 1)}"}
         antes = None
@@ -392,7 +399,8 @@ class Comparacion:
             return -len(par[0]["valor"]) if par[0]["tipo"].startswith("mat") else 0, next(hay, (len(lineas), 0))
 
         u, otro = min(salen, key=se_usa)
-        return {"que": "uniform", "dice": vale(f"el uniform «{u['nombre']}»", u["valor"], otro["valor"], u["tipo"])}
+        dice = vale(f"el uniform «{u['nombre']}»", u["valor"], otro["valor"], u["tipo"])
+        return {"que": "uniform", "dice": dice, "pila": u["pila"]}
 
     def de_tabla(self, mia, suya):
         for que, cosas, hechos in LLEGA:
@@ -585,6 +593,13 @@ class Donde:
 
     def busca(self, jugador, ficheros, guion, esperada, obtenida):
         """Lo primero que se aparta en el cuadro en que acaba ese guion, que en las dos da esas imágenes, o None."""
+        hallada = self.halla(jugador, ficheros, guion, esperada, obtenida)
+        pila = hallada and hallada.pop("pila", None)
+        linea = pila and self.compilador.linea_de_una_llamada(ficheros, jugador, pila)
+        como = "se envía" if linea and hallada["que"] == "uniform" else "se pide"
+        return {**hallada, "dice": f"{hallada['dice']} ({como} en {linea})"} if linea else hallada
+
+    def halla(self, jugador, ficheros, guion, esperada, obtenida):
         if not self.delante.exists() or esperada[:2] != obtenida[:2]:
             return None
         pixeles = peores(esperada, obtenida)
