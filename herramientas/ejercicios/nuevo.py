@@ -1,5 +1,5 @@
-"""Lo que se le da a quien aprende (./lab nuevo, que es reparte.py): una carpeta, MIOS/NOMBRE. Con un ejercicio (E3.5, o la
-carpeta de uno de quien enseña: propios.py), su esqueleto: los ficheros de la solución sin lo que se pide, que dicen
+"""Lo que se le da a quien aprende (./lab nuevo, que es reparte.py): una carpeta, MIOS/NOMBRE. Con un ejercicio (E3.5, o
+la carpeta de uno de quien enseña: propios.py), su esqueleto: los ficheros de la solución sin lo que se pide, que dicen
 las marcas (base/marcas.py). Con un programa, una copia para jugar con ella."""
 import hashlib
 import re

@@ -39,8 +39,7 @@ static GLuint creaMapa(int lado) {
 
 static oraculo::ImagenRef trazaReflejo(const Framebuffer &framebuffer) {
     const oraculo::Vec3 METAL = {0.97, 0.91, 0.80};
-    const oraculo::Objeto anillo =
-        oraculo::malla({}, toro(1, 0.5f, 720, 360)); // mucho más fina
+    const oraculo::Objeto anillo = oraculo::malla({}, toro(1, 0.5f, 720, 360)); // mucho más fina
     return oraculo::render({anillo}, camaraExacta(), framebuffer.ancho, framebuffer.alto,
                            [&](const oraculo::Impacto &i) {
                                return i ? METAL * entorno(oraculo::refleja(i.rayo.direccion, i.normal))
