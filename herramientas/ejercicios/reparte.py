@@ -1,5 +1,5 @@
-"""reparte.py RAÍZ BUILD MIOS QUÉ [NOMBRE] [--programa]: lo de nuevo.py y, si es un ejercicio de quien enseña, adónde hay
-que llegar y con qué se corrige en casa (corrige/casa.py). Con --programa solo dice qué hay que compilar antes."""
+"""reparte.py RAÍZ BUILD MIOS QUÉ [NOMBRE] [--programa]: lo de nuevo.py y, si es un ejercicio de quien enseña, adónde
+hay que llegar y con qué se corrige en casa (corrige/casa.py). Con --programa solo dice qué hay que compilar antes."""
 import sys
 from pathlib import Path
 

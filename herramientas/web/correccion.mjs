@@ -29,6 +29,7 @@ export class Correccion {
       const hecha = await this.#juega(ejercicio, sigue);
       if (!sigue()) return undefined;
       this.#esta = undefined;
+      panel.ariaBusy = false;
       return hecha;
     } catch (error) {
       if (error.name !== 'AbortError') this.#pon(linea(`No se puede corregir: ${error.message}`));
