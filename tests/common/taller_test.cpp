@@ -204,6 +204,9 @@ TEST(F3, LoQueSeGuardaSeRelee) {
             claros += pixel(roto.imagen, x, y).b > 200 && pixel(roto.imagen, x, y).r > 200;
     EXPECT_LT(pixel(roto.imagen, 3, 3).g, 128);
     EXPECT_GT(claros, 200);
+    const Ejecucion otra = taller(
+        versiones, "especial F3; tecla 2" + espera + "; especial F3; tecla 1; especial F5; especial F3", 400);
+    EXPECT_GT(pixel(otra.imagen, 3, 3).b, 200) << "arreglado, el error ya no está";
 }
 
 TEST(F12, DondeNoSePuedeEscribirAvisaYSigue) {

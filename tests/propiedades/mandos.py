@@ -127,6 +127,10 @@ def ayuda(p):
         yield "F1", f"F1 no dice sus controles: {' '.join(dichos)}"
     elif (mandos.talla, hacen.talla) != (LETRA, LETRA):
         yield "F1", f"la letra de F1 no es la de todos, {LETRA}: {mandos.talla}, {hacen.talla}"
+    fin = {len(m.rstrip()) for m in mandos.texto.split("\\n") if m.strip()} if mandos else set()
+    empieza = {len(h) - len(h.lstrip()) for h in hacen.texto.split("\\n") if h.strip()} if mandos else set()
+    if len(fin) > 1 or empieza != {f + 2 for f in fin}:
+        yield "F1", f"las columnas de F1 se tuercen: acaban en {fin} y empiezan en {empieza}"
 
 
 def puntero(p):
