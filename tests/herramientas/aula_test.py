@@ -5,7 +5,6 @@ import io
 import os
 import random
 import re
-import tarfile
 import unicodedata
 import zipfile
 from pathlib import Path
@@ -20,6 +19,7 @@ from banco import (
     banco_falso,
     carpeta_de,
     con_catalogo,
+    en_tar,
     en_zip,
 )
 from base import catalogo, defectos, procesos
@@ -49,16 +49,6 @@ def con_clave(datos):
         while (i := datos.find(marca, i + 1)) >= 0:
             datos[i + donde] |= 1
     return bytes(datos)
-
-
-def en_tar(comprimido, *ficheros, tipo=tarfile.REGTYPE):
-    datos = io.BytesIO()
-    with tarfile.open(fileobj=datos, mode=f"w:{comprimido}") as t:
-        for nombre, contenido in ficheros:
-            info = tarfile.TarInfo(nombre)
-            info.size, info.type, info.linkname = len(contenido), tipo, "/etc/passwd"
-            t.addfile(info, io.BytesIO(contenido))
-    return datos.getvalue()
 
 
 BUENO = en_zip(("p.cpp", P), ("p.h", b""))
@@ -100,7 +90,7 @@ CONTENIDOS |= {
     "en tar": en_tar("gz", ("grua/p.cpp", P), ("grua/p.h", b"")),
     "tar sin comprimir": en_tar("", ("p.cpp", P), ("p.h", b"")),
     "tar que sale": en_tar("gz", ("../../p.cpp", P)),
-    "tar de enlaces": en_tar("gz", ("p.cpp", b""), tipo=tarfile.SYMTYPE),
+    "tar de enlaces": en_tar("gz", ("p.cpp", b"", "SYMTYPE")),
     "tar bomba": en_tar("gz", ("a", bytes(70 << 20)), ("p.cpp", P)),
     "otro main": "int main() { return 0; }",
     "suyo": '#include "p.h"\nint main() {}',

@@ -2,6 +2,7 @@
 import os
 import stat
 import sys
+import tarfile
 import zipfile
 from io import BytesIO
 from pathlib import Path
@@ -67,6 +68,17 @@ def en_zip(*miembros, como=zipfile.ZIP_DEFLATED):
             modo = stat.S_IFLNK if isinstance(contenido, Path) else modo
             info.external_attr = (modo | 0o644) << 16
             z.writestr(info, crudo(contenido) if modo == stat.S_IFREG else b"/etc/passwd", como)
+    return datos.getvalue()
+
+
+def en_tar(comprimido, *miembros):
+    """De cada uno, su nombre, lo que tiene y, si no es un fichero, lo que es."""
+    datos = BytesIO()
+    with tarfile.open(fileobj=datos, mode=f"w:{comprimido}") as t:
+        for nombre, contenido, *tipo in miembros:
+            info = tarfile.TarInfo(nombre)
+            info.type, info.size, info.linkname = getattr(tarfile, *tipo or ["REGTYPE"]), len(contenido), "/etc/passwd"
+            t.addfile(info, BytesIO(contenido))
     return datos.getvalue()
 
 

@@ -13,7 +13,6 @@ import shutil
 import signal
 import subprocess
 import sys
-import tarfile
 import tempfile
 import time
 import xml.etree.ElementTree as xml
@@ -24,7 +23,8 @@ from types import SimpleNamespace
 import pytest
 
 from aula_test import COLUMNAS, celdas
-from banco import BUILD, MOODLE, RAIZ, REF, UNO, banco_falso, carpeta_de, con_catalogo, con_comparador, con_jaula, orden
+from banco import BUILD, MOODLE, RAIZ, REF, UNO, con_catalogo, con_comparador, con_jaula
+from banco import banco_falso, carpeta_de, en_tar, orden
 from base import catalogo, guiones, marcas, procesos
 from base.defectos import Mutante
 from base.fuentes import SHADERS
@@ -97,23 +97,13 @@ def test_una_imagen_de_otro():
     assert [partidas.lee_ppm(mala) for mala in malas] == [None] * len(malas)
 
 
-def en_tar(*miembros):
-    datos = io.BytesIO()
-    with tarfile.open(fileobj=datos, mode="w") as tar:
-        for nombre, contenido, tipo in miembros:
-            m = tarfile.TarInfo(nombre)
-            m.type, m.size, m.linkname = getattr(tarfile, tipo), len(contenido), "/etc/passwd"
-            tar.addfile(m, io.BytesIO(contenido))
-    return datos.getvalue()
-
-
 def test_de_un_tar_solo_sale_lo_que_debe():
     normal, *raros = "REGTYPE SYMTYPE LNKTYPE FIFOTYPE CHRTYPE DIRTYPE".split()
-    bueno = en_tar(("./000.ppm", b"a", normal), ("./estado", b"0", normal))
+    bueno = en_tar("", ("./000.ppm", b"a", normal), ("./estado", b"0", normal))
     assert jaula.desempaqueta(bueno) == {"000.ppm": b"a", "estado": b"0"}
     fuera = [(n, b"x", normal) for n in ("../000.ppm", "/etc/000.ppm", "a/000.ppm", "0000.ppm", "otro")]
-    assert not jaula.desempaqueta(en_tar(*(("000.ppm", b"", tipo) for tipo in raros), *fuera))
-    assert jaula.desempaqueta(en_tar(("estado", b"0", normal), ("estado", b"1", normal))) == {"estado": b"0"}
+    assert not jaula.desempaqueta(en_tar("", *(("000.ppm", b"", tipo) for tipo in raros), *fuera))
+    assert jaula.desempaqueta(en_tar("", ("estado", b"0", normal), ("estado", b"1", normal))) == {"estado": b"0"}
     azar = random.Random(1)
     for _ in range(300):  # estropeado de cualquier manera, no rompe nada
         malo = bytearray(bueno)
@@ -571,7 +561,7 @@ def test_la_clave_la_cambia_todo_lo_que_corrige(tmp_path, monkeypatch):
     """
     programa = nuevo.ejercicios(RAIZ, catalogo.lee_programas(BUILD))[REF]
     lee, tocado, sello, esqueleto, jugadas = Path.read_bytes, [], [b""], nuevo.esqueleto, []
-    deja = lambda *_: jugadas.append(1) or en_tar(("000.ppm", b"P6" + sello[0], "REGTYPE"))
+    deja = lambda *_: jugadas.append(1) or en_tar("", ("000.ppm", b"P6" + sello[0], "REGTYPE"))
     monkeypatch.setattr(Path, "read_bytes", lambda f: lee(f) + (b"x" if str(f) in tocado else b""))
     monkeypatch.setattr(Arbitro, "juega_de_nuevo", deja)
 

@@ -152,9 +152,8 @@ const ejercicios = {
     await p.pulsa('.tarea button');
     for (const otro of ['L9.1', 'L9.2']) {
       await p.va('#ejercicio/' + otro);
-      await p.acaba(`viéndola se pasa a ${otro}, y se escribe en él`, otro => visto.ejercicio?.codigo === otro &&
-        editor.ruta && !cm.getOption('readOnly') && conTexto('.tarea button', 'Ver la solución').ariaPressed === 'false',
-      otro);
+      await p.acaba(`viéndola se pasa a ${otro}`, otro => visto.ejercicio?.codigo === otro && editor.ruta &&
+        !cm.getOption('readOnly') && conTexto('.tarea button', 'Ver la solución').ariaPressed === 'false', otro);
     }
     assert.deepEqual(await p.descarga('.descarga'), ['mezcla.frag', await p.da(() => cm.getValue())]);
     await p.da(() => todos('button', estado)[0].click());
