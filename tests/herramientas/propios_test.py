@@ -468,17 +468,6 @@ def test_unas_reglas_que_no_valen(tmp_path, texto):
 
 # --- los de la página -------------------------------------------------------------------------------------------
 
-PAGINA = (RAIZ / "herramientas/web/ejercicio.mjs").read_text()
-
-
-def test_los_gestos_son_los_de_la_pagina():
-    assert f"'{'; '.join(shaders.GIRA)}'" in PAGINA
-    assert (
-        f"self.rasgos & {{{', '.join(map(json.dumps, ('raton', 'rueda', 'arrastre')))}}}"
-        in (RAIZ / "herramientas/web/pagina.py").read_text()
-    )
-    assert shaders.CON_RATON == {"raton", "rueda", "arrastre"}
-
 
 @con_catalogo
 @pytest.mark.parametrize("ref", ["L3.1", "L5.3", "L9.3"])  # uno de cada clase; de todos, ./lab ejercicio comprueba

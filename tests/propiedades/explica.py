@@ -245,6 +245,10 @@ def fallos_de(build, orden, puntos, golden, sabido):
         fallos.append("no están los píxeles que se piden")
     fallos += fallos_de_lineas(cuadro, orden[0])
     canales = canales_de(cuadro)
+    sucesos = [s for e in explicados for s in e["historia"] if s["dice"] == "borrado" and s["framebuffer"] == 0]
+    for n in {s["orden"] for s in sucesos if len(canales.get(s["orden"], "rgb")) > 2}:
+        if len(colores := {repr(s["despues"]) for s in sucesos if s["orden"] == n}) > 1:
+            fallos.append(f"la orden {n} borra de {' y de '.join(colores)}")
     return fallos + [f"{e['pixel']}: {fallo}" for e in explicados for fallo in fallos_de_pixel(e, imagen, canales)]
 
 
@@ -255,7 +259,7 @@ def fallos_de_caso(build, enlace, caso, cuantos):
     orden = [build / enlace / programa.capitulo.nombre / programa.nombre, *["-guion", guion] * bool(guion)]
     golden = None if anda else RAIZ / f"tests/golden/{programa.capitulo.nombre}/{caso.fichero}.ppm"
     sabido = SIN_SOSPECHAS.get(programa.nombre, "")
-    fallos = fallos_de(build, orden, al_azar(caso.fichero, cuantos), golden, sabido)
+    fallos = fallos_de(build, orden, al_azar(caso.fichero, cuantos, golden), golden, sabido)
     return [f"{enlace}, {caso.fichero}: {fallo}" for fallo in fallos]
 
 
@@ -275,9 +279,13 @@ def fallos_de_talla(build, programa, talla):
     return []
 
 
-def al_azar(de, cuantos):
+def al_azar(de, cuantos, golden):
+    """El último, donde cambia el color, que es donde se confunde de quién es."""
     azar = random.Random(de)
-    return [(azar.randrange(ANCHO), azar.randrange(ALTO)) for _ in range(cuantos)]
+    *puntos, (x, y) = [(azar.randrange(ANCHO), azar.randrange(ALTO)) for _ in range(cuantos)]
+    fila = pixeles(golden)[3 * ANCHO * y :] if golden else b""
+    bordes = [i for i in range(1, ANCHO) if fila[3 * i :][:3] != fila[3 * i - 3 :][:3]]
+    return [*puntos, (min(bordes, key=lambda i: abs(i - x), default=x), y)]
 
 
 def main():
