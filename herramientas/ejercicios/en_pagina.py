@@ -24,18 +24,17 @@ def suya(programa):
     return f"mios/{programa.nombre}"
 
 
-def que_pide(raiz, programa, ref):
-    """Lo que se pide en cada fichero, por su ruta en la página."""
+def piden(raiz, programa, ref):
+    """Lo que se pide en cada fichero, por su ruta en la página: lo de cada pieza."""
     if nuevo.es_de_shaders(ref):
-        return {f: "; ".join(nuevo.pide(texto, ref)) for f, texto in nuevo.pedidos(raiz, programa, ref).items()}
+        return {f: nuevo.pide(texto, ref) for f, texto in nuevo.pedidos(raiz, programa, ref).items()}
     textos = nuevo.de_la_carpeta(raiz, programa, ref)
-    piden = {f: nuevo.pide(texto, ref) for f, texto in textos.items()}
-    return {f"{suya(programa)}/{f}": "; ".join(que) for f, que in piden.items() if que}
+    return {f"{suya(programa)}/{f}": que for f, texto in textos.items() if (que := nuevo.pide(texto, ref))}
 
 
 def resumen(raiz, programa, ref, del_libro):
     """Lo que hace falta para enseñarlo en la lista."""
-    datos = {"codigo": ref, "pide": que_pide(raiz, programa, ref)}
+    datos = {"codigo": ref, "pide": {f: "; ".join(que) for f, que in piden(raiz, programa, ref).items()}}
     datos["que"] = del_libro.cosas[ref].que if ref in del_libro.cosas else programa.titulo
     if not nuevo.es_de_shaders(ref):
         oculto = bool(programa.raices) or ref in marcas.ocultos(raiz)
@@ -64,6 +63,7 @@ def corrige(raiz, build, programa, ref, cuantos=None):
         "guiones": [{"nombre": g.nombre, "ordenes": g.ordenes, "vale": suyas.peso(g)} for g in todos],
         "palabras": {o: en_palabras(o) for o in sorted(ordenes)},
         "reglas": asdict(suyas) | {"dichas": suyas.en_palabras},
+        "piezas": sum(map(len, piden(raiz, programa, ref).values())),
     }
 
 

@@ -87,7 +87,9 @@ export class Compilacion {
     const errores = dichos.filter(d => d.clase === 'error').length, avisos = dichos.length - errores;
     const cuantos = (n, que) => n ? `${n} ${que}${n > 1 ? (que === 'error' ? 'es' : 's') : ''}` : '';
     const todos = [cuantos(errores, 'error'), cuantos(avisos, 'aviso')].filter(Boolean).join(' y ');
-    this.#ensena(dichos, sale ? `Compilado${todos && `, con ${todos}`}.` : `${todos}: sigue el de antes.`);
+    const { ejercicio } = this.visto();
+    const sigue = !ejercicio?.carpeta || this.#modulos.has(ejercicio.enlace) ? ': sigue el de antes' : '';
+    this.#ensena(dichos, sale ? `Compilado${todos && `, con ${todos}`}.` : `${todos}${sigue}.`);
   }
 
   /// El programa compilado ha fallado con ese error: en qué línea, si se sabe.

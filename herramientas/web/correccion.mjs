@@ -65,12 +65,12 @@ export class Correccion {
     return hecha;
   }
 
-  #resumen({ nota, guiones, otros, reglas }) {
+  #resumen({ nota, guiones, otros, reglas, piezas }) {
     const cuantos = parecido => guiones.filter(g => g.parecido === parecido).length, casi = cuantos(CASI);
     const bien = `${cuantos(BIEN)} de los ${guiones.length} guiones dan lo mismo`;
     return [
       linea(crea('b', { textContent: cifra(nota) }), ` de 100: ${bien}${casi ? `; ${casi}, casi` : ''}.` +
-        (reglas.huecos && nota < 100 ? ' Es lo entero: ./lab corrige cuenta también cada pieza, por su cuenta.' : '')),
+        (reglas.huecos && piezas > 1 && nota < 100 ? ' Es lo entero: ./lab corrige cuenta también cada pieza, por su cuenta.' : '')),
       ...Object.entries(otros).filter(([que]) => que !== 'estado').map(([, dice]) => linea(`${dice}.`)),
       crea('details', {}, crea('summary', { textContent: 'Cómo se puntúa' }),
         linea(`Es lo de ./lab corrige, y los rótulos no cuentan. ${reglas.dichas}.`)),

@@ -120,8 +120,8 @@ export class Corrector {
     }
   }
 
-  /// Todos los guiones: { nota; guiones, con lo de cada uno; otros, lo que cuenta una vez; reglas }. `avanza(n, de)`
-  /// según se juegan.
+  /// Todos los guiones: { nota; guiones, con lo de cada uno; otros, lo que cuenta una vez; reglas; piezas, cuántas se
+  /// piden }. `avanza(n, de)` según se juegan.
   async corrige(avanza = () => {}) {
     const guiones = this.guiones.map(g => ({ ...g }));
     let otros = {}, cuelgan = 0;
@@ -132,7 +132,7 @@ export class Corrector {
       otros = { ...suyo, ...otros };
       if (hecho.cuelga && ++cuelgan >= CUELGUES) break;
     }
-    return { nota: nota(guiones, otros, this.reglas), guiones, otros, reglas: this.reglas };
+    return { nota: nota(guiones, otros, this.reglas), guiones, otros, reglas: this.reglas, piezas: this.piezas };
   }
 
   /// Del guion que antes falla: { ordenes, las que bastan; cómo se dice; pixel, el que más se aparta, de la ventana de
