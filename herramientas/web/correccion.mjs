@@ -70,7 +70,7 @@ export class Correccion {
     const bien = `${cuantos(BIEN)} de los ${guiones.length} guiones dan lo mismo`;
     return [
       linea(crea('b', { textContent: cifra(nota) }), ` de 100: ${bien}${casi ? `; ${casi}, casi` : ''}.` +
-        (reglas.huecos && piezas > 1 && nota < 100 ? ' Es lo entero: ./lab corrige cuenta también cada pieza, por su cuenta.' : '')),
+        (reglas.huecos && piezas > 1 && nota < 100 ? ' Es lo entero: ./lab corrige cuenta también cada pieza.' : '')),
       ...Object.entries(otros).filter(([que]) => que !== 'estado').map(([, dice]) => linea(`${dice}.`)),
       crea('details', {}, crea('summary', { textContent: 'Cómo se puntúa' }),
         linea(`Es lo de ./lab corrige, y los rótulos no cuentan. ${reglas.dichas}.`)),
