@@ -33,7 +33,7 @@ def de(raiz, build, ref):
         c = comprueba.Comprobacion(raiz, build, ref, programa, Path(temporal), hilos, cuantos)
         hechas = {}
         for i, (nombre, ficheros) in enumerate(entregas(c).items()):
-            nota, mal = c.entregado(ficheros, f"e{i}")
+            nota, mal, *_ = c.entregado(ficheros, f"e{i}")
             assert not mal, mal
             hechas[nombre] = {"ficheros": ficheros, "nota": nota}
     return {"datos": en_pagina.corrige(raiz, build, programa, ref, cuantos), "entregas": hechas}
