@@ -230,7 +230,7 @@ const deChromium = {
     await p.pagina.emulateMediaFeatures([{ name: 'prefers-reduced-motion', value: 'reduce' }]);
     await p.carga();
     await p.da(() => { for (const i of document.images) i.loading = 'eager'; });
-    await p.acaba('quietas', () => todos('figure:not(.captura) img').every(i => i.complete && i.naturalWidth === 1440));
+    await p.acaba('quietas', () => todos('figure:not(.captura) img').every(i => i.complete && i.naturalWidth === 720));
     await amplia(p, ANIMADOS[0]);
     await p.acaba('los cuadros', () => una('dialog canvas')?.width === 1280);
     for (const anda of [false, true]) {
