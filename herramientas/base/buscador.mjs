@@ -38,7 +38,6 @@ export function atiendeBuscador(trae) {
   };
   campo.addEventListener('input', busca);
   campo.addEventListener('focus', () => { if (campo.value.trim()) busca(); });
-  addEventListener('hashchange', esconde);
   document.addEventListener('click', ({ target }) => {
     if (target.closest('.hallazgos a') || !caja.contains(target)) esconde();
   });
