@@ -53,7 +53,7 @@ class Galeria:
         self.pagina = PaginaGaleria(raiz, destino, capitulos)
         self.programas = [p for capitulo in capitulos for p in capitulo.programas]
         self.registro = destino / ".hecho.json"
-        self.turno, self.escrita, self.dibujados = threading.Lock(), 0, 0
+        self.turno, self.escrita, self.dibujados, self.a_medias = threading.Lock(), 0, 0, False
         try:
             self.hecho = json.loads(self.registro.read_text())
         except (OSError, ValueError):
@@ -152,6 +152,7 @@ class Galeria:
             if n < todos and time.monotonic() > self.escrita + CADA:
                 self.pagina.escribe(todos - n)
                 self.escrita = time.monotonic()
+                self.a_medias = True
 
     def dibuja_todo(self):
         """Cada programa, en cuanto se enlaza; los que ya lo estaban, al acabar de compilar."""
@@ -174,6 +175,8 @@ class Galeria:
                     trabajo.result()
         finally:
             escribe(self.registro, json.dumps(self.hecho, ensure_ascii=False))
+            if self.a_medias:  # si se ha interrumpido, así queda
+                self.pagina.escribe(len(self.programas) - self.dibujados, sigue=False)
 
 
 def main():

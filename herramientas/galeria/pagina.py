@@ -46,7 +46,7 @@ class PaginaGaleria:
             "colores_oscuros": OSCURO.get_style_defs("pre"),
         }
 
-    def escribe(self, faltan=0):
-        """DESTINO/index.html, cuando aún no se han dibujado tantos programas."""
+    def escribe(self, faltan=0, sigue=True):
+        """DESTINO/index.html, cuando aún no se han dibujado tantos programas, y si se sigue con ellos."""
         imagenes = {c.fichero: c.miniatura for c in self.casos if c.hecho and not c.fallo}
-        paginas.escribe_pagina(self.destino, PLANTILLA, faltan=faltan, imagenes=imagenes, **self.datos)
+        paginas.escribe_pagina(self.destino, PLANTILLA, faltan=faltan, sigue=sigue, imagenes=imagenes, **self.datos)
