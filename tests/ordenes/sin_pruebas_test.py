@@ -10,7 +10,7 @@ import subprocess
 import pytest
 from mentira import BUILD, RAIZ, se_encierra
 
-DE_LAS_PRUEBAS = {"tests", "fallos", "mutantes", "web", "windows", "asan", "corrige", "cache_shaders"}
+DE_LAS_PRUEBAS = {"tests", "fallos", "mutantes", "web", "windows", "asan", "corrige", "cache_shaders", "osmesa"}
 
 
 class SinPruebas:
