@@ -5,6 +5,7 @@ from dataclasses import asdict
 from base import libro, marcas
 from base.guiones import en_palabras
 from ejercicios import nuevo, propios, reglas
+from ejercicios.corrige import piezas as corrige_piezas
 from ejercicios.corrige import shaders
 from ejercicios.corrige.banco import guiones
 
@@ -63,7 +64,35 @@ def corrige(raiz, build, programa, ref, cuantos=None):
         "guiones": [{"nombre": g.nombre, "ordenes": g.ordenes, "vale": suyas.peso(g)} for g in todos],
         "palabras": {o: en_palabras(o) for o in sorted(ordenes)},
         "reglas": asdict(suyas) | {"dichas": suyas.en_palabras},
-        "piezas": sum(map(len, piden(raiz, programa, ref).values())),
+        **piezas(raiz, programa, ref, suyas),
+    }
+
+
+def piezas(raiz, programa, ref, reglas_):
+    """Si se piden varias, de cada una lo que va en su sitio y lo que hay de partida, y la solución sin ellas; si está
+    oculta, nada de eso. Las junta web/piezas.mjs."""
+    textos, trozos = nuevo.textos(raiz, programa, ref), []
+
+    def sin_ella(trozo):
+        if trozo["codigo"] != ref:
+            return trozo[0]
+        trozos.append(trozo)
+        return f"\0{len(trozos) - 1}\0\n"
+
+    sin_ellas = {f: marcas.TROZO.sub(sin_ella, texto) for f, texto in textos.items()}
+    if len(trozos) < 2 or not reglas_.huecos:
+        return {}
+    if programa.raices or ref in marcas.ocultos(raiz):
+        return {"huecos": []}
+    hechas = nuevo.sin_marcas({str(i): t[0] for i, t in enumerate(trozos)}, programa, ref)
+    solucion = nuevo.sin_marcas(sin_ellas, programa, ref)
+    donde = "" if nuevo.es_de_shaders(ref) else f"{suya(programa)}/"
+    return {
+        "huecos": [
+            {"pide": t["pide"], "pesa": pesa, "hecha": hechas[str(i)], "partida": corrige_piezas.por_hacer(t)}
+            for i, (t, pesa) in enumerate(zip(trozos, reglas_.de_cada(len(trozos))))
+        ],
+        "solucion": {f"{donde}{f}": texto for f, texto in solucion.items()},
     }
 
 

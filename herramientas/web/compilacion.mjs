@@ -51,10 +51,7 @@ export class Compilacion {
     try {
       await this.#trae();
       estado.textContent = 'Compilando…';
-      const fuentes = { ...await this.originales(), ...ejercicio?.queNoSeVe, ...Object.fromEntries(cambios) };
-      const hay = Object.fromEntries(Object.entries(fuentes).filter(([, texto]) => texto !== undefined));
-      const hecho = await this.compilador.compila({ ...programa, carpeta: ejercicio?.carpeta }, hay,
-        cambios.map(([ruta]) => ruta));
+      const hecho = await this.conEsos(programa, ejercicio, cambios);
       if (hecho.modulo)
         this.#modulos.set(ejercicio?.enlace ?? programa.nombre, { modulo: hecho.modulo, de: JSON.stringify(suyos) });
       if (!sigue()) return;
@@ -65,6 +62,13 @@ export class Compilacion {
       estado.textContent = error.name === 'AbortError' ? 'No se ha traído: al pedirlo otra vez se empieza de nuevo.'
         : `No se puede compilar: ${error.message}`;
     }
+  }
+
+  /// Lo que dice el compilador del programa con esos fuentes: [ruta, texto]…
+  async conEsos(programa, ejercicio, cambios) {
+    const fuentes = { ...await this.originales(), ...ejercicio?.queNoSeVe, ...Object.fromEntries(cambios) };
+    const hay = Object.fromEntries(Object.entries(fuentes).filter(([, texto]) => texto !== undefined));
+    return this.compilador.compila({ ...programa, carpeta: ejercicio?.carpeta }, hay, cambios.map(([ruta]) => ruta));
   }
 
   async #trae() {
@@ -90,6 +94,8 @@ export class Compilacion {
     const { ejercicio } = this.visto();
     const sigue = !ejercicio?.carpeta || this.#modulos.has(ejercicio.enlace) ? ': sigue el de antes' : '';
     this.#ensena(dichos, sale ? `Compilado${todos && `, con ${todos}`}.` : `${todos}${sigue}.`);
+    const primero = !sale && dichos.find(d => d.clase === 'error' && d.ruta);
+    if (primero) this.vaA(primero);
   }
 
   /// El programa compilado ha fallado con ese error: en qué línea, si se sabe.

@@ -1,12 +1,18 @@
 // «Corregir»: lo que se dice mientras se juega y lo que ha salido.
+import { deEjercicio } from './almacen.mjs';
 import { boton, crea, una } from '../base/documento.mjs';
 import { hazEnlace } from './enlaces.mjs';
-import { BIEN, CASI } from './nota.mjs';
+import { esFuente } from './fuentes.mjs';
+import { BIEN, CASI, nota, parte, redondea } from './nota.mjs';
+import { porPiezas, SoloLoEntero } from './piezas.mjs';
 import { motivoDe } from './programa.mjs';
 
 const panel = una('.correccion');
 const cifra = n => n.toLocaleString('es');
 const linea = (...dice) => crea('p', {}, ...dice);
+const cuanto = parte => parte === 1 ? 'bien' : `${cifra(redondea(100 * parte))} de 100`;
+const dichas = piezas => [...piezas.map(({ pide, parte }) => `«${pide}», ${cuanto(parte)}`),
+  ...piezas.every(p => p.parte === 1) ? ['lo que falla está fuera de ellas, o en cómo se juntan'] : []].join('; ');
 
 export class Correccion {
   #esta; // la que se hace; se deja si se escribe otra cosa
@@ -57,6 +63,7 @@ export class Correccion {
     const compilado = compilacion.modulo(ejercicio.programa, ejercicio.taller, ejercicio);
     const corrector = await ejercicio.corrector(sigue, await ejercicio.taller.escritos(), compilado);
     const hecha = await corrector.corrige((n, de) => this.#pon(linea(`Corrigiendo: ${n + 1} de ${de} guiones…`)));
+    Object.assign(hecha, await this.#piezas(ejercicio, corrector, hecha));
     if (hecha.nota === 100) ejercicio.resuelve();
     const resumen = this.#resumen(hecha);
     this.#pon(...resumen);
@@ -65,12 +72,36 @@ export class Correccion {
     return hecha;
   }
 
-  #resumen({ nota, guiones, otros, reglas, piezas }) {
+  /// Lo que vale cada pieza, y la nota con ellas; o por qué no se sabe.
+  async #piezas(ejercicio, corrector, { guiones, otros, reglas }) {
+    const datos = await deEjercicio(ejercicio.codigo);
+    if (!datos.huecos || parte(guiones, reglas) === 1) return {};
+    if (!datos.solucion) return { entero: 'la solución no está en la página' };
+    const { compilacion } = this, escritos = await ejercicio.taller.escritos();
+    const arranca = async textos => {
+      const fuentes = Object.entries(textos).filter(([ruta]) => esFuente(ruta));
+      const compilado = ejercicio.seCompila &&
+        (await compilacion.conEsos(ejercicio.programa, ejercicio, fuentes)).modulo;
+      return !ejercicio.seCompila || compilado ? como => ejercicio.arranca({ ...como, textos, compilado }) : undefined;
+    };
+    const avanza = (i, de) => this.#pon(linea(`Corrigiendo, pieza a pieza: ${i + 1} de ${de}…`));
+    try {
+      const piezas = await porPiezas({ ...datos, codigo: ejercicio.codigo }, escritos,
+        { arranca, avanza, juega: (suyo, nada) => corrector.parte(suyo, nada) });
+      return { piezas, nota: nota(guiones, otros, reglas, piezas) };
+    } catch (error) {
+      if (error instanceof SoloLoEntero) return { entero: error.message };
+      throw error;
+    }
+  }
+
+  #resumen({ nota, guiones, otros, reglas, piezas, entero }) {
     const cuantos = parecido => guiones.filter(g => g.parecido === parecido).length, casi = cuantos(CASI);
     const bien = `${cuantos(BIEN)} de los ${guiones.length} guiones dan lo mismo`;
     return [
-      linea(crea('b', { textContent: cifra(nota) }), ` de 100: ${bien}${casi ? `; ${casi}, casi` : ''}.` +
-        (reglas.huecos && piezas > 1 && nota < 100 ? ' Es lo entero: ./lab corrige cuenta también cada pieza.' : '')),
+      linea(crea('b', { textContent: cifra(nota) }), ` de 100: ${bien}${casi ? `; ${casi}, casi` : ''}.`),
+      ...piezas ? [linea(`Pieza a pieza: ${dichas(piezas)}.`)] : [],
+      ...entero ? [linea(`La nota es la de lo entero, y no pieza a pieza: ${entero}.`)] : [],
       ...Object.entries(otros).filter(([que]) => que !== 'estado').map(([, dice]) => linea(`${dice}.`)),
       crea('details', {}, crea('summary', { textContent: 'Cómo se puntúa' }),
         linea(`Es lo de ./lab corrige, y los rótulos no cuentan. ${reglas.dichas}.`)),

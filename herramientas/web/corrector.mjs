@@ -2,7 +2,7 @@
 // herramientas/ejercicios/en_pagina.py, y los compara herramientas/comparador, que va en lab.wasm.
 import { crea } from '../base/documento.mjs';
 import { laboratorio, recuerda } from './datos.mjs';
-import { acabaMal, acorta, aparte, BIEN, CASI, nota } from './nota.mjs';
+import { acabaMal, acorta, aparte, BIEN, CASI, nota, parte } from './nota.mjs';
 
 const ANCHO = 240, ALTO = 180;
 const CUELGUES = 2;   // tras los que no se juega más
@@ -120,8 +120,8 @@ export class Corrector {
     }
   }
 
-  /// Todos los guiones: { nota; guiones, con lo de cada uno; otros, lo que cuenta una vez; reglas; piezas, cuántas se
-  /// piden }. `avanza(n, de)` según se juegan.
+  /// Todos los guiones: { nota, la de lo entero; guiones, con lo de cada uno; otros, lo que cuenta una vez; reglas }.
+  /// `avanza(n, de)` según se juegan.
   async corrige(avanza = () => {}) {
     const guiones = this.guiones.map(g => ({ ...g }));
     let otros = {}, cuelgan = 0;
@@ -132,7 +132,15 @@ export class Corrector {
       otros = { ...suyo, ...otros };
       if (hecho.cuelga && ++cuelgan >= CUELGUES) break;
     }
-    return { nota: nota(guiones, otros, this.reglas), guiones, otros, reglas: this.reglas, piezas: this.piezas };
+    return { nota: nota(guiones, otros, this.reglas), guiones, otros, reglas: this.reglas };
+  }
+
+  /// Lo que vale lo que arranca así: de 0 a 1, y 0 si hace lo mismo que lo que arranca como diga `hazNada()`, si lo hay.
+  async parte(suyo, hazNada) {
+    const con = (suyo, original) => new Corrector(this, { suyo, original, sigue: this.sigue }).corrige();
+    const suya = parte((await con(suyo, this.original)).guiones, this.reglas);
+    const nada = suya < 1 && await hazNada();
+    return nada && (await con(suyo, nada)).guiones.every(g => g.parecido === undefined || g.parecido === BIEN) ? 0 : suya;
   }
 
   /// Del guion que antes falla: { ordenes, las que bastan; cómo se dice; pixel, el que más se aparta, de la ventana de

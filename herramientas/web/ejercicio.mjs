@@ -128,7 +128,7 @@ export class Ejercicio {
     const descarga = boton(this.carpeta ? 'Descarga mi carpeta' : 'Descarga mi shader', () => this.descarga(), {
       className: 'descarga', title: 'Lo escrito, para ./lab corrige. Si se suelta en la página, se abre' });
     una('.tarea').replaceChildren(crea(this.carpeta ? 'details' : 'div', { open: true }, ...pide),
-      boton('Corregir', corrige, { className: 'corrige', title: 'La nota de lo entero que da ./lab corrige' }),
+      boton('Corregir', corrige, { className: 'corrige', title: 'La nota que da ./lab corrige' }),
       ...this.oculto ? [] : [ver], descarga);
     una('.correccion').hidden = true;
   }

@@ -30,15 +30,21 @@ export function aparte(esperada, obtenida) {
 export const acabaMal = (esperada, { estado, cuelga }) =>
   estado !== esperada.estado && (cuelga || estado === ERROR_DE_OPENGL);
 
-/// La de lo entero: la parte de los guiones que salen bien, con lo que vale cada uno, y con un fallo que cueste algo no
-/// es 100. De cada guion jugado, `parecido`; de los que no, nada.
-export function nota(guiones, otros, reglas) {
-  const cuenta = parecido => guiones.filter(g => g.parecido === parecido);
-  const suma = lista => lista.reduce((todo, { vale }) => todo + vale, 0);
-  const bien = cuenta(BIEN), casi = cuenta(CASI);
-  const puntos = (suma(bien) + reglas.casi / 100 * suma(casi)) / suma(guiones);
-  const cuestan = Object.keys(otros).reduce((todo, que) => todo + reglas[que], 0);
-  const todo = bien.length === guiones.length || reglas.casi === 100 && bien.length + casi.length === guiones.length;
+const suma = numeros => numeros.reduce((a, b) => a + b, 0);
+
+/// La de los guiones que salen bien, con lo que vale cada uno: de 0 a 1. De cada guion jugado, `parecido`; de los que
+/// no, nada.
+export function parte(guiones, reglas) {
+  const valen = parecido => suma(guiones.filter(g => g.parecido === parecido).map(g => g.vale));
+  return (valen(BIEN) + reglas.casi / 100 * valen(CASI)) / suma(guiones.map(g => g.vale));
+}
+
+/// Esa, junto con la de cada pieza, si se sabe, y sin lo que quita lo demás. Con un fallo que cueste algo no es 100.
+export function nota(guiones, otros, reglas, piezas = []) {
+  const entero = parte(guiones, reglas), media = suma(piezas.map(p => p.pesa * p.parte)) / suma(piezas.map(p => p.pesa));
+  const puntos = piezas.length ? entero + reglas.huecos / 100 * (media - entero) : entero;
+  const cuestan = suma(Object.keys(otros).map(que => reglas[que]));
+  const todo = guiones.every(g => g.parecido === BIEN || reglas.casi === 100 && g.parecido === CASI);
   return Math.min(redondea(puntos * (100 - cuestan)), todo && !cuestan ? 100 : 99.9);
 }
 

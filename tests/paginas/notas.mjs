@@ -13,7 +13,8 @@ print(json.dumps(notas.${que}(Path(raiz), Path(build), *resto), default=lambda x
 /// En la página: la nota de lo que hay en ella, con esos guiones.
 async function nota(datos) {
   Object.assign(await pagina.deEjercicio(visto.ejercicio.codigo), datos);
-  return (await pagina.correccion.hazla(visto.ejercicio))?.nota ?? una('.correccion').textContent;
+  const { nota, piezas = [] } = await pagina.correccion.hazla(visto.ejercicio) ?? {};
+  return [nota ?? una('.correccion').textContent, ...piezas.map(p => Math.round(1000 * p.parte) / 10)];
 }
 
 /// Esos ficheros, en un .zip que se suelta en ella.
@@ -28,10 +29,10 @@ enNavegadores(['chromium'], Object.fromEntries(Object.keys(pregunta('programas')
   `${codigo}, lo mismo que ./lab corrige`, async p => {
     const { datos, entregas } = pregunta('de', codigo), notas = {}, debe = {};
     await p.abre(`#ejercicio/${codigo}`);
-    for (const [nombre, { ficheros, nota: suya }] of Object.entries(entregas)) {
+    for (const [nombre, { ficheros, nota: suya, piezas }] of Object.entries(entregas)) {
       await suelta(p, ficheros);
       notas[nombre] = await p.da(nota, datos);
-      debe[nombre] = suya;
+      debe[nombre] = [suya, ...piezas.map(p => p.nota)];
     }
     assert.deepEqual(notas, debe);
   }])));

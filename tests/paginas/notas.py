@@ -1,11 +1,13 @@
 """La nota de ./lab corrige de lo que hacen unos estudiantes: el punto de partida, la solución, la misma escrita de otra
-manera y algunos de los errores que se conocen. La página tiene que dar la misma (notas.mjs)."""
+manera, una pieza sola y algunos de los errores que se conocen. La página tiene que dar la misma (notas.mjs)."""
 import tempfile
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 from base import catalogo, defectos
+from base.marcas import TROZO
 from ejercicios import comprueba, en_pagina, nuevo
+from ejercicios.corrige import clase
 
 AL_AZAR = 4  # guiones, además de los casos
 ERRORES = 2
@@ -19,10 +21,23 @@ def entregas(c):
     """Sus ficheros, por lo que son."""
     bien = [m for m in defectos.lee(c.raiz / comprueba.BIEN)[0] if m.lista == c.ref][-1:]
     mal = c.banco.motivos.defectos
-    hechas = dict(zip(("el punto de partida", "la solución"), c.banco.dados))
+    hechas = dict(zip(("el punto de partida", "la solución"), c.banco.dados)) | {"a medias": a_medias(c)}
     for m in (*bien, *mal[:: max(1, -(-len(mal) // ERRORES))]):
-        hechas[f"{m.nombre}, {m.imita}"] = c.banco.motivos.limpio(c.banco.motivos.estropeados(m))
+        hechas[f"{m.nombre}, {m.imita}"] = con_sus_marcas(c, c.banco.motivos.estropeados(m))
     return hechas
+
+
+def con_sus_marcas(c, textos):
+    """Como quien lo hizo entre ellas: lo que no es de este ejercicio, sin las suyas."""
+    suyas = {f: TROZO.sub(lambda t: t[0] if t["codigo"] == c.ref else nuevo.deja(t[0]), t) for f, t in textos.items()}
+    return suyas if nuevo.es_de_shaders(c.ref) else nuevo.aqui(suyas, c.programa)
+
+
+def a_medias(c):
+    """El punto de partida con lo primero que se pide, hecho."""
+    (_, hecho), *_ = c.banco.motivos.trozos()
+    por_hacer = [t[0] for texto in c.banco.dados[0].values() for t in TROZO.finditer(texto)]
+    return {f: texto.replace(por_hacer[0], hecho[0], 1) for f, texto in c.banco.dados[0].items()}
 
 
 def de(raiz, build, ref):
@@ -33,7 +48,10 @@ def de(raiz, build, ref):
         c = comprueba.Comprobacion(raiz, build, ref, programa, Path(temporal), hilos, cuantos)
         hechas = {}
         for i, (nombre, ficheros) in enumerate(entregas(c).items()):
-            nota, mal, *_ = c.entregado(ficheros, f"e{i}")
-            assert not mal, mal
-            hechas[nombre] = {"ficheros": ficheros, "nota": nota}
+            carpeta = Path(temporal, f"e{i}")
+            carpeta.mkdir()
+            for f, texto in ficheros.items():
+                (carpeta / Path(f).name).write_text(texto)
+            hecha = clase.corrige(c.banco, carpeta)
+            hechas[nombre] = {"ficheros": ficheros, "nota": hecha["nota"], "piezas": hecha.get("piezas", [])}
     return {"datos": en_pagina.corrige(raiz, build, programa, ref, cuantos), "entregas": hechas}

@@ -69,6 +69,9 @@ const uso = {
       const { bgClass, gutterMarkers } = cm.lineInfo(donde);
       return sesion.vivo && bgClass === 'linea-mala' && gutterMarkers.dichos && una('ul.dichos button.mensaje-malo');
     }, linea(lee(GRUA).split('ponFondo')[0]) - 1);
+    await p.acaba('y se va allí', donde => cm.hasFocus() && cm.getCursor().line === donde,
+      linea(lee(GRUA).split('ponFondo')[0]) - 1);
+    await p.esParaTodos();
     await cambia(p, 'ponFondo(rojo)', 'ponFondo(CIELO)');
     assert.deepEqual(await p.imagen(), antes, 'y como estaba');
   },
