@@ -136,6 +136,19 @@ TEST_F(Ayudas, UnSignoQueNoHayEsUnCuadrado) {
     EXPECT_NE(imagen("€"), imagen("a"));
 }
 
+// Lo que no cabe, a lo ancho o a lo alto, se encoge: en el borde no hay nada.
+TEST_F(Ayudas, LoQueNoCabeSeEncoge) {
+    for (const auto &[veces, trozo] : {std::pair{60, "M"}, {22, "M\n"}}) {
+        std::string texto = "M";
+        for (int i = 1; i < veces; ++i)
+            texto += trozo;
+        const Imagen imagen = pinta([&] { rotula(texto, {0.5f, 0.5f}, ROJO); });
+        for (int i = 0; i < 480; ++i)
+            for (const glm::ivec2 &p : {glm::ivec2(i, 0), {i, 359}, {0, i % 360}, {479, i % 360}})
+                ASSERT_EQ(color(imagen, p.x, p.y), glm::ivec3(255)) << p.x << ", " << p.y << ": " << texto;
+    }
+}
+
 // Se lea quien se lea y sobre lo que sea: la letra, que es lo que más se pinta, y el halo, lo segundo, contrastan 4.5
 // (WCAG 2). El color pedido se cambia solo si no llega.
 TEST_F(Ayudas, DeCualquierColorSeLee) {
