@@ -147,7 +147,8 @@ export class Indice {
     const deZona = zonas.map((_, i) => suma(deCada.map(suyos => suyos[i])));
     const vale = suma(deCada.map(suyos => Math.max(...suyos) + 0.05 * suma(suyos)));
     const entera = zonas.find(z => z.entera === entero);
-    return { titulo, zona: entera ?? zonas[deZona.indexOf(Math.max(...deZona))], vale: vale + (entera ? VALE.título : 0) };
+    const zona = entera ?? zonas[deZona.indexOf(Math.max(...deZona))];
+    return { titulo, zona, vale: vale + (entera ? VALE.título : 0) };
   }
 
   /// El identificador de un fuente que mejor casa.
