@@ -16,17 +16,17 @@ export function conFicheros(datos, textos) {
 }
 
 /// El píxel, y cuál es en la ventana de siempre, que es el de los enlaces y el de ./lab explica.
-function titulo(pixel, lienzo) {
-  const [suyo, suVentana] = [pixel, enLaVentana(pixel, lienzo).map(Math.round)].map(de => de.join(', '));
+function titulo(pixel, enlazado = enLaVentana(pixel, una('.lienzo canvas'))) {
+  const [suyo, suVentana] = [pixel, enlazado.map(Math.round)].map(de => de.join(', '));
   return `El píxel (${suyo})${suyo === suVentana ? '' : `, que en la ventana de 960×720 es el (${suVentana})`}`;
 }
 
 /// Lo que se ha averiguado, con el píxel señalado en el lienzo. `alCerrar` se llama al dejarlo. Con `llama`, va allí.
-export function ensena(datos, textos, { alCerrar, llama }) {
+export function ensena(datos, textos, { alCerrar, llama, enlazado }) {
   cierraExplicado();
   const { pixel } = datos, dentro = crea('div');
   const cierra = () => { cierraExplicado(); alCerrar(); };
-  sitio.replaceChildren(crea('h2', { tabIndex: -1 }, pixel ? titulo(pixel, una('.lienzo canvas')) : 'El cuadro entero'),
+  sitio.replaceChildren(crea('h2', { tabIndex: -1 }, pixel ? titulo(pixel, enlazado) : 'El cuadro entero'),
     boton('Cerrar', cierra, { className: 'cierra', title: 'También con Esc' }), dentro);
   muestraCuadro(conFicheros(datos, textos), dentro, { conImagen: false });
   sitio.hidden = false;
