@@ -106,7 +106,7 @@ void glShaderSource(GLuint shader, GLsizei cuantos, const GLchar *const *textos,
     emscripten_glShaderSource(shader, 1, &uno, nullptr);
 }
 
-// El que está puesto en un programa, OpenGL lo borra con él y mientras se puede leer, como hace quien explica un cuadro;
+// El que está puesto en un programa, OpenGL lo borra con él, y mientras lo puede leer quien explica un cuadro;
 // Emscripten olvida su nombre.
 static std::vector<GLuint> porBorrar;
 

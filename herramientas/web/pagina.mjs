@@ -248,9 +248,10 @@ async function copiaEnlace() {
 }
 
 /// Cómo se ha dibujado el cuadro que se ve y, si se da, por qué tiene ese color el píxel [x, y] del lienzo, desde
-/// arriba a la izquierda. Con `llama`, se va allí. `enlazado` es el de la ventana de siempre, si lo dice un enlace.
+/// arriba a la izquierda. Con `llama`, se va allí. `enlazado`, si lo dice un enlace: el de su ventana.
 export function explica(pixel, llama = true, enlazado = undefined) {
-  explicando = explicando.then(() => explicaYa(pixel, llama, enlazado)); // de uno en uno: todos dibujan en el mismo lienzo
+  // de uno en uno: todos dibujan en el mismo lienzo
+  explicando = explicando.then(() => explicaYa(pixel, llama, enlazado));
   return explicando;
 }
 
@@ -266,7 +267,8 @@ async function explicaYa(pixel, llama, enlazado) {
     if (sesion !== escena.sesion) return;
     const textos = { ...await json('shaders'), ...await taller.textos() };
     visto.explicado = { pixel, ordenes };
-    ensena(datos, textos, { llama, enlazado, alCerrar: () => { visto.explicado = undefined; una('.explica').focus(); } });
+    const alCerrar = () => { visto.explicado = undefined; una('.explica').focus(); };
+    ensena(datos, textos, { llama, enlazado, alCerrar });
     if (llama) avisa('');
     return datos;
   } catch (error) {
