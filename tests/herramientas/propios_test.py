@@ -481,14 +481,15 @@ def test_un_shader_suelto(tmp_path, ref):
     banco.__dict__["donde"] = SimpleNamespace(busca=lambda *_: None)  # lo mira donde_test, y tarda
     pedidos = nuevo.pedidos(RAIZ, programa, ref)
 
-    def nota(textos, nombre="{}"):
+    def nota(textos, nombre="{}", en="utf8"):
         suya = tmp_path / "e"
         shutil.rmtree(suya, ignore_errors=True)
         siembra(suya, {nombre.format(Path(f).name): texto for f, texto in textos.items()})
+        for fichero in suya.iterdir():
+            fichero.write_text(fichero.read_text(), en, "replace")
         return de_clase.corrige(banco, suya if len(textos) > 1 else next(suya.iterdir()))
 
-    en_latin1 = {f: f"{texto}// año\n".encode("latin1", "replace") for f, texto in pedidos.items()}
-    assert nota(en_latin1, "mío {}")["nota"] == 100
+    assert nota({f: f"{texto}// año\n" for f, texto in pedidos.items()}, "mío {}", "latin1")["nota"] == 100
     de_partida = nota(banco.de_partida[0])  # con los nombres que se piden
     assert de_partida["nota"] < 60 and "se ve lo mismo que en el punto de partida" in de_partida["dice"]
     mal = {f: texto.replace(*MAL_HECHO[ref]) for f, texto in pedidos.items()}
