@@ -2,6 +2,7 @@
 #include "error.h"
 #include "contexto.h"
 #include <algorithm>
+#include <cstdlib>
 #include <string_view>
 #include <vector>
 // clang-format off
@@ -32,7 +33,9 @@ int creaContexto(int ancho, int alto, bool profundidad, bool plantilla, bool) {
     // clang-format on
     contexto = OSMesaCreateContextAttribs(atributos, nullptr);
     if (!contexto)
-        falla("OSMesa no puede crear un contexto OpenGL 3.1");
+        falla(std::getenv("MESA_GL_VERSION_OVERRIDE")
+                  ? "OSMesa no puede crear un contexto OpenGL 3.1 con esa MESA_GL_VERSION_OVERRIDE: quítala"
+                  : "OSMesa no puede crear un contexto OpenGL 3.1");
     cambiaTallaContexto(ancho, alto);
     return 0;
 }

@@ -42,7 +42,8 @@ int creaContexto(int ancho, int alto, bool profundidad, bool plantilla, bool mue
     atributos.preserveDrawingBuffer = true; // como en una ventana, lo que no se vuelve a dibujar sigue ahí
     contexto = emscripten_webgl_create_context(LIENZO, &atributos);
     if (contexto <= 0 || emscripten_webgl_make_context_current(contexto) != EMSCRIPTEN_RESULT_SUCCESS)
-        falla("este navegador no da WebGL 2");
+        falla("este navegador no da WebGL 2: activa en él la aceleración gráfica, actualízalo o prueba con "
+              "otro");
     return 0; // las que haya, las promedia él al leer
 }
 

@@ -4,13 +4,24 @@
 #include <GL/glew.h>
 #include <algorithm>
 #include <cstring>
+#include <emscripten.h>
 #include <emscripten/html5.h>
 #include <string>
 #include <vector>
 
 using namespace sin_ventana;
 
+// clang-format off
+EM_JS(int, laboratorioPuesto, (GLuint shader), {
+    const suyo = GL.shaders[shader];
+    return suyo && GL.programs.some(p => p && (GLctx.getAttachedShaders(p) || []).includes(suyo)) ? 1 : 0;
+});
+// clang-format on
+
 extern "C" {
+
+void emscripten_glDeleteShader(GLuint);
+void emscripten_glDeleteProgram(GLuint);
 
 void emscripten_glEnable(GLenum);
 void emscripten_glDepthRangef(GLfloat, GLfloat);
@@ -93,6 +104,24 @@ void glShaderSource(GLuint shader, GLsizei cuantos, const GLchar *const *textos,
     texto = enEssl(texto);
     const GLchar *uno = texto.c_str();
     emscripten_glShaderSource(shader, 1, &uno, nullptr);
+}
+
+// El que está puesto en un programa, OpenGL lo borra con él, y mientras lo puede leer quien explica un cuadro;
+// Emscripten olvida su nombre.
+static std::vector<GLuint> porBorrar;
+
+void glDeleteShader(GLuint shader) {
+    if (laboratorioPuesto(shader))
+        porBorrar.push_back(shader);
+    else
+        emscripten_glDeleteShader(shader);
+}
+
+void glDeleteProgram(GLuint programa) {
+    emscripten_glDeleteProgram(programa);
+    std::vector<GLuint> antes;
+    antes.swap(porBorrar);
+    std::for_each(antes.begin(), antes.end(), glDeleteShader);
 }
 
 // WebGL solo da RGBA: RGB se lee así y se le quita la opacidad.

@@ -14,6 +14,15 @@ export const llano = texto => sinAcentos(texto).replaceAll('×', 'x').replace(RE
 /// Un punto solo es de una palabra entre cifras.
 export const palabras = texto => llano(texto).match(/§?[\p{L}\p{N}_]+(?:\.\d+)*/gu) ?? [];
 
+/// Las que están en todas partes y no dicen qué se busca («girar la cámara»); «a» e «y» no: son teclas y ejes.
+const VACIAS = new Set('al como con de del el en es la las lo los para por que se un una'.split(' '));
+
+/// Sin ellas, si hay otras.
+function llenas(suyas) {
+  const dicen = suyas.filter(palabra => !VACIAS.has(palabra));
+  return dicen.length ? dicen : suyas;
+}
+
 /// Lo que se quita de una palabra para que case con otra de su familia: seleccionar, selección.
 const FINAL = /(ar|er|ir|ando|iendo|ado|ada|cion|os|as|es|o|a)$/;
 
@@ -57,7 +66,7 @@ export class Indice {
   /// `datos` son los que escribe base/indice.py.
   constructor({ entradas, ficheros, sinonimos }) {
     const zona = (clase, enlace, texto, vale, suyas) => {
-      const nueva = { clase, enlace, texto, vale, palabras: suyas };
+      const nueva = { clase, enlace, texto, vale, entera: palabras(texto).join(' '), palabras: suyas };
       for (const palabra of suyas.keys()) {
         if (!this.#donde.get(palabra)?.push(nueva)) this.#donde.set(palabra, [nueva]);
       }
@@ -110,8 +119,9 @@ export class Indice {
   /// menos una.
   busca(buscado) {
     const suyas = palabras(buscado), hallados = this.#halla(this.#formas(suyas));
-    if (hallados.length || suyas.length < 2) return hallados;
-    const conUnaMenos = suyas.flatMap((_, i) => this.#formas(suyas.filter((_, j) => j !== i)));
+    const dicen = llenas(suyas);
+    if (hallados.length || dicen.length < 2) return hallados;
+    const conUnaMenos = dicen.flatMap((_, i) => this.#formas(dicen.filter((_, j) => j !== i)));
     return this.#halla(conUnaMenos).map(hallado => ({ ...hallado, leFalta: true }));
   }
 
@@ -119,7 +129,7 @@ export class Indice {
   #halla(formas) {
     const mejores = new Map();
     for (const [suyas, cuanto] of formas) {
-      const casan = suyas.map(palabra => this.#casa(palabra)), valen = casan.map(casa => this.#vale(casa));
+      const casan = llenas(suyas).map(palabra => this.#casa(palabra)), valen = casan.map(casa => this.#vale(casa));
       for (const entrada of valen.length ? this.#entradas : []) {
         const hallado = this.#mide(entrada, valen, suyas.join(' ')), vale = hallado && cuanto * hallado.vale;
         if (hallado && !(mejores.get(entrada)?.vale >= vale)) mejores.set(entrada, { ...hallado, vale, casan });
@@ -129,15 +139,16 @@ export class Indice {
       ({ titulo, vale, enlace: zona.enlace, clase: zona.clase, texto: zona.texto, palabra: this.#mejor(zona, casan) }));
   }
 
-  /// De cada palabra vale la zona en que mejor está, y algo las demás; y más, si lo buscado es el título entero.
+  /// De cada palabra vale la zona en que mejor está, y algo las demás; y más, si lo buscado es el texto entero de una.
   #mide({ titulo, zonas }, valen, entero) {
     const suma = numeros => numeros.reduce((a, b) => a + b, 0);
     const deCada = valen.map(enZona => zonas.map(z => enZona.get(z) ?? 0));
     if (deCada.some(suyos => !Math.max(...suyos))) return;
     const deZona = zonas.map((_, i) => suma(deCada.map(suyos => suyos[i])));
     const vale = suma(deCada.map(suyos => Math.max(...suyos) + 0.05 * suma(suyos)));
-    return { titulo, zona: zonas[deZona.indexOf(Math.max(...deZona))],
-      vale: vale + (palabras(titulo).join(' ') === entero ? VALE.título : 0) };
+    const entera = zonas.find(z => z.entera === entero);
+    const zona = entera ?? zonas[deZona.indexOf(Math.max(...deZona))];
+    return { titulo, zona, vale: vale + (entera ? VALE.título : 0) };
   }
 
   /// El identificador de un fuente que mejor casa.

@@ -47,11 +47,11 @@ def numero(referencia):
 
 
 def abrevia(pedido):
-    """Como se llama en el catálogo lo que alguien pide: «Listado 5.1» es l5.1; «capítulo 5», ch05; «Grúa», grua."""
+    """Como se llama en el catálogo lo que alguien pide: «Listado 5.1» es l5.1; «5» y «cap. 5», ch05; «Grúa», grua."""
     suyo = llano(pedido).strip().removesuffix(".cpp")
     if clase := DE_QUE.match(suyo):
         suyo = CLASES[clase[1]] + suyo[clase.end() :]
-    return re.sub(r"^ch(\d)$", r"ch0\1", suyo)
+    return re.sub(r"^(?:ch)?(\d{1,2})$", lambda e: f"ch{int(e[1]):02}", suyo)
 
 
 def juntas(palabras):

@@ -77,7 +77,9 @@ def arranca(orden, **opciones):
 
 
 def lanza(orden, input=None, timeout=None, **opciones):
-    """subprocess.run con arranca."""
+    """subprocess.run con arranca; en un texto, lo que no es UTF-8 no rompe nada."""
+    if opciones.get("text"):
+        opciones.setdefault("errors", "replace")
     entra = subprocess.DEVNULL if input is None else subprocess.PIPE
     tuberias = {"stdin": entra, "stdout": subprocess.PIPE, "stderr": subprocess.PIPE}
     with arranca(orden, **{**tuberias, **opciones}) as proceso:
@@ -123,6 +125,8 @@ def escribe(fichero, datos):
 
 def acaba_bien(hace):
     """Con lo que dice hace(). Una señal, un Fallo o un disco lleno acaban con su estado y, como mucho, una línea."""
+    if sys.stdout:
+        sys.stdout.reconfigure(errors="replace")  # donde no cabe una letra, «?»
     try:
         resultado = hace()
         si_hay_senal()

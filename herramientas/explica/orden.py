@@ -65,7 +65,7 @@ def ejecuta(build, ejecutable, pixel, suyas):
             error = [{"orden": 0, "dice": dice, "prueba": "Mira lo que se dice antes."}]
         if not hecho.exists():
             raise Fallo("explica: el programa acaba antes de que se pueda explicar su cuadro: ¿pulsa Esc el guion?")
-        cuadro = json.loads(hecho.read_text())
+        cuadro = json.loads(hecho.read_text(errors="replace"))  # con sus shaders, que pueden no estar en UTF-8
         return {**cuadro, "sospechas": cuadro["sospechas"] + error}
 
 

@@ -167,7 +167,7 @@ void Sospechas::delCableado(const Cableado &c, const Orden &o, const Lienzo &l, 
             pon(esEntero(u.variable.tipo) ? SI_NO_SE_VE_NADA : SEGURO, n,
                 quien + "lo usa el shader y nadie le ha dado valor: es 0",
                 "Falta enviarlo, se llama de otra manera o se ha enviado sin glUseProgram antes.");
-        else if (matriz && casiCero(u.valor))
+        else if (matriz && u.dado && casiCero(u.valor))
             pon(SEGURO, n, quien + "es una matriz toda de ceros",
                 "Debería ser al menos la identidad: glm::mat4(1).");
         else if (matriz && aplasta(u.valor))

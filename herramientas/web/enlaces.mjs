@@ -35,13 +35,15 @@ export function pixelEn([x, y], lienzo) {
   return a >= 0 && b >= 0 && a < width && b < height ? [a, b] : undefined;
 }
 
-/// Lo que se escribe en un enlace para que lleve a ese píxel de un lienzo.
-export function enEnlace([x, y], lienzo) {
+/// En la ventana de siempre, con una décima, ese píxel de un lienzo.
+export function enLaVentana([x, y], lienzo) {
   const { width, height } = lienzo, k = escala(lienzo);
-  const [a, b] = [[x, SIEMPRE[0], width], [y, SIEMPRE[1], height]].map(([v, de, en]) =>
+  return [[x, SIEMPRE[0], width], [y, SIEMPRE[1], height]].map(([v, de, en]) =>
     Math.max(Math.round(10 * (de / 2 + (v + 0.5 - en / 2) / k - 0.5)) / 10, 0));
-  return `/explica/${a},${b}`;
 }
+
+/// Lo que se escribe en un enlace para que lleve a él.
+export const enEnlace = (pixel, lienzo) => `/explica/${enLaVentana(pixel, lienzo).join()}`;
 
 export function hazEnlace(nombre, ordenes) {
   const grupos = []; // las seguidas e iguales, con ×N

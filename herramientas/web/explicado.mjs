@@ -1,6 +1,7 @@
 // El panel que explica un píxel o el cuadro entero: lo que se ha averiguado, con los ficheros de que sale cada shader.
 import { boton, crea, una } from '../base/documento.mjs';
 import { muestraCuadro } from '../base/cuadro.mjs';
+import { enLaVentana } from './enlaces.mjs';
 import { lineasDe } from './lineas.mjs';
 
 const sitio = una('.explicacion');
@@ -14,12 +15,18 @@ export function conFicheros(datos, textos) {
   return { ...datos, programas, ordenes };
 }
 
+/// El píxel, y cuál es en la ventana de siempre, que es el de los enlaces y el de ./lab explica.
+function titulo(pixel, enlazado = enLaVentana(pixel, una('.lienzo canvas'))) {
+  const [suyo, suVentana] = [pixel, enlazado.map(Math.round)].map(de => de.join(', '));
+  return `El píxel (${suyo})${suyo === suVentana ? '' : `, que en la ventana de 960×720 es el (${suVentana})`}`;
+}
+
 /// Lo que se ha averiguado, con el píxel señalado en el lienzo. `alCerrar` se llama al dejarlo. Con `llama`, va allí.
-export function ensena(datos, textos, { alCerrar, llama }) {
+export function ensena(datos, textos, { alCerrar, llama, enlazado }) {
   cierraExplicado();
   const { pixel } = datos, dentro = crea('div');
   const cierra = () => { cierraExplicado(); alCerrar(); };
-  sitio.replaceChildren(crea('h2', { tabIndex: -1 }, pixel ? `El píxel (${pixel.join(', ')})` : 'El cuadro entero'),
+  sitio.replaceChildren(crea('h2', { tabIndex: -1 }, pixel ? titulo(pixel, enlazado) : 'El cuadro entero'),
     boton('Cerrar', cierra, { className: 'cierra', title: 'También con Esc' }), dentro);
   muestraCuadro(conFicheros(datos, textos), dentro, { conImagen: false });
   sitio.hidden = false;

@@ -248,13 +248,14 @@ async function copiaEnlace() {
 }
 
 /// Cómo se ha dibujado el cuadro que se ve y, si se da, por qué tiene ese color el píxel [x, y] del lienzo, desde
-/// arriba a la izquierda. Con `llama`, se va allí.
-export function explica(pixel, llama = true) {
-  explicando = explicando.then(() => explicaYa(pixel, llama)); // de uno en uno: todos dibujan en el mismo lienzo
+/// arriba a la izquierda. Con `llama`, se va allí. `enlazado`, si lo dice un enlace: el de su ventana.
+export function explica(pixel, llama = true, enlazado = undefined) {
+  // de uno en uno: todos dibujan en el mismo lienzo
+  explicando = explicando.then(() => explicaYa(pixel, llama, enlazado));
   return explicando;
 }
 
-async function explicaYa(pixel, llama) {
+async function explicaYa(pixel, llama, enlazado) {
   const { sesion } = escena, { taller } = visto;
   if (!sesion?.vivo) return;
   if (sesion.vacio) return avisa('Lo tuyo se explica cuando está compilado.');
@@ -266,7 +267,8 @@ async function explicaYa(pixel, llama) {
     if (sesion !== escena.sesion) return;
     const textos = { ...await json('shaders'), ...await taller.textos() };
     visto.explicado = { pixel, ordenes };
-    ensena(datos, textos, { llama, alCerrar: () => { visto.explicado = undefined; una('.explica').focus(); } });
+    const alCerrar = () => { visto.explicado = undefined; una('.explica').focus(); };
+    ensena(datos, textos, { llama, enlazado, alCerrar });
     if (llama) avisa('');
     return datos;
   } catch (error) {
@@ -282,7 +284,7 @@ const explicado = () => una('.explicacion').hidden ? undefined : visto.explicado
 /// El píxel de un enlace, si lo lleva.
 function explicaEn(pixel) {
   const lienzo = escena.sesion?.lienzo, suyo = pixel && lienzo && pixelEn(pixel, lienzo);
-  if (suyo) return explica(suyo);
+  if (suyo) return explica(suyo, true, pixel);
   if (pixel && lienzo) avisa(`El píxel ${pixel.join(', ')} no está en la ventana, de 960×720.`);
 }
 

@@ -472,8 +472,8 @@ def test_unas_reglas_que_no_valen(tmp_path, texto):
 @con_catalogo
 @pytest.mark.parametrize("ref", ["L3.1", "L5.3", "L9.3"])  # uno de cada clase; de todos, ./lab ejercicio comprueba
 def test_un_shader_suelto(tmp_path, ref):
-    """El del programa saca 100, aunque se llame de otra manera; el de partida, uno mal hecho o uno que no compila,
-    no; y uno de otro tipo no es el que se pide."""
+    """El del programa saca 100, aunque se llame de otra manera y no esté en UTF-8; el de partida, uno mal hecho o uno
+    que no compila, no; y uno de otro tipo no es el que se pide."""
     programa = shaders.ejercicios(RAIZ, catalogo.lee_programas(BUILD))[ref]
     if not programa.ejecutable(BUILD).exists():
         pytest.skip("no está compilado")
@@ -481,13 +481,15 @@ def test_un_shader_suelto(tmp_path, ref):
     banco.__dict__["donde"] = SimpleNamespace(busca=lambda *_: None)  # lo mira donde_test, y tarda
     pedidos = nuevo.pedidos(RAIZ, programa, ref)
 
-    def nota(textos, nombre="{}"):
+    def nota(textos, nombre="{}", en="utf8"):
         suya = tmp_path / "e"
         shutil.rmtree(suya, ignore_errors=True)
         siembra(suya, {nombre.format(Path(f).name): texto for f, texto in textos.items()})
+        for fichero in suya.iterdir():
+            fichero.write_text(fichero.read_text(), en, "replace")
         return de_clase.corrige(banco, suya if len(textos) > 1 else next(suya.iterdir()))
 
-    assert nota(pedidos, "mío {}")["nota"] == 100
+    assert nota({f: f"{texto}// año\n" for f, texto in pedidos.items()}, "mío {}", "latin1")["nota"] == 100
     de_partida = nota(banco.de_partida[0])  # con los nombres que se piden
     assert de_partida["nota"] < 60 and "se ve lo mismo que en el punto de partida" in de_partida["dice"]
     mal = {f: texto.replace(*MAL_HECHO[ref]) for f, texto in pedidos.items()}

@@ -214,5 +214,5 @@ def primer_error(hecho, suya, ficheros):
         de_antes = ": es de OpenGL 1, y aquí no está" if DE_OPENGL_1.match(falta[1]) else ""
         return f"no compila: falta «{falta[1]}»{de_antes}"
     lineas = [linea for linea in errores.splitlines() if linea.strip()]
-    primera = next((linea for linea in lineas if "error: " in linea or "ld: " in linea), (lineas or [""])[-1])
-    return "no compila: " + (re.sub("^.*?error: ", "", primera) or "el compilador no ha acabado bien")
+    primera = next((linea for linea in lineas if "error: " in linea.lower() or "ld: " in linea), (lineas or [""])[-1])
+    return "no compila: " + (re.sub("(?i)^.*?error: ", "", primera) or "el compilador no ha acabado bien")

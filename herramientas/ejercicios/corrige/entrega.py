@@ -156,7 +156,7 @@ class Entrega:
 
     def solo_los_de(self, de_partida):
         """Cada shader que se pide, por su nombre o, si de su tipo no hay otro, por su tipo."""
-        suyos = self.ficheros
+        suyos, faltan = self.ficheros, []
         self.ficheros = {}
         for ruta, texto in de_partida.items():
             llamados = [f for f in suyos if PurePath(f).name.lower() == PurePath(ruta).name.lower()]
@@ -166,9 +166,10 @@ class Entrega:
             if not hallado:
                 if por := next((por for f, por in self.mal.items() if tipo(f) == tipo(ruta)), ""):
                     raise Rechazo(por)
-                self.avisos.append(f"no viene {PurePath(ruta).name}: se ha puesto el de partida")
-        if len(self.avisos) == len(de_partida):
-            raise Rechazo(f"no viene {', '.join(PurePath(ruta).name for ruta in de_partida)}")
+                faltan.append(PurePath(ruta).name)
+        if len(faltan) == len(de_partida):
+            raise Rechazo(f"no viene {', '.join(faltan)}")
+        self.avisos += [f"no viene {nombre}: se ha puesto el de partida" for nombre in faltan]
 
 
 # --- leerla ---
