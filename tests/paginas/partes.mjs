@@ -153,6 +153,8 @@ test('todo se encuentra: cada nombre, título, referencia, pie, tecla e identifi
   for (const { titulo, zonas, fuentes } of indice.entradas) {
     const lo = buscado => buscador.busca(buscado).find(h => h.titulo === titulo);
     assert.equal(buscador.busca(titulo)[0].titulo, titulo);
+    const casi = buscador.busca(`${titulo} xyzzy`);
+    assert.ok(casi.length && casi.every(h => h.leFalta), `${titulo}, con otra palabra que no está`);
     for (const [clase, enlace, texto] of zonas) {
       assert.doesNotMatch(texto, /&#?\w+;|<\/?\w+[^<]*>/, `${titulo}: el texto, sin HTML`);
       const hallado = lo(clase === 'imagen' ? texto : palabras(texto).slice(0, 3).join(' '));
