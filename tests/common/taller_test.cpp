@@ -217,4 +217,6 @@ TEST(F12, DondeNoSePuedeEscribirAvisaYSigue) {
     EXPECT_EQ(std::count(e.errores.begin(), e.errores.end(), '\n'), 1);
     EXPECT_EQ(e.salida, "guardado defectuoso-1.png\n");
     EXPECT_EQ(mitades(e.imagen), "rojo azul");
+    const std::string doce = taller({version(ROJO, AZUL)}, "especial F12 ×12").salida;
+    EXPECT_NE(doce.find("-12.png\n"), std::string::npos) << "ninguna pisa a otra: " << doce;
 }

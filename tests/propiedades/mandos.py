@@ -143,6 +143,9 @@ def puntero(p):
         dice = [q.texto for q in vista.encima if q.tipo == "rotulo"][-1:]
         if dice != [debe]:
             yield "F2", f"F2 no dice «{debe}»: {dice}"
+    orbita = ["boton IZQUIERDO abajo 60 60", "arrastra 90 50", "boton IZQUIERDO arriba 90 50", "captura"]
+    if p.vistas(["especial F2 ×2", *orbita])[0].filas != p.vistas(orbita)[0].filas:
+        yield "F2", "con F2 puesta y quitada, arrastrar no es lo mismo"
 
 
 def comunes(p):
