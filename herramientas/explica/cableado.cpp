@@ -11,12 +11,6 @@ namespace {
 
 const GLsizeiptr MUESTRA = 65536; // vértices que se miran, como mucho
 
-GLint delAtributo(GLuint donde, GLenum cual) {
-    GLint valor = 0;
-    glGetVertexAttribiv(donde, cual, &valor);
-    return valor;
-}
-
 using Bytes = std::vector<unsigned char>;
 
 // FNV-1a, de 64 bits.
@@ -32,8 +26,7 @@ std::string sumaDe(const Bytes &bytes) {
 Bytes deBufer(GLint bufer) {
     const GLint antes = entero(GL_COPY_READ_BUFFER_BINDING);
     glBindBuffer(GL_COPY_READ_BUFFER, GLuint(bufer));
-    GLint ocupa = 0;
-    glGetBufferParameteriv(GL_COPY_READ_BUFFER, GL_BUFFER_SIZE, &ocupa);
+    const GLint ocupa = contesta(glGetBufferParameteriv, GL_COPY_READ_BUFFER, GL_BUFFER_SIZE);
     Bytes bytes(std::size_t(std::max(ocupa, 0)));
     glGetBufferSubData(GL_COPY_READ_BUFFER, 0, ocupa, bytes.data());
     glBindBuffer(GL_COPY_READ_BUFFER, GLuint(antes));
@@ -55,7 +48,7 @@ std::string sumaDe(const Atributo &a) {
 void leePrimeros(Atributo &a) {
     const GLint antes = entero(GL_COPY_READ_BUFFER_BINDING);
     glBindBuffer(GL_COPY_READ_BUFFER, GLuint(a.bufer));
-    glGetBufferParameteriv(GL_COPY_READ_BUFFER, GL_BUFFER_SIZE, &a.bytes);
+    a.bytes = contesta(glGetBufferParameteriv, GL_COPY_READ_BUFFER, GL_BUFFER_SIZE);
     const GLsizeiptr ocupa = GLsizeiptr(sizeof(float)) * a.componentes, paso = a.paso ? a.paso : ocupa;
     const GLsizeiptr hay = a.bytes - a.desplazamiento, todos = std::min(hay, MUESTRA * paso + ocupa);
     if (a.tipo == GL_FLOAT && a.componentes >= 1 && a.componentes <= 4 && a.desplazamiento >= 0 &&
@@ -72,11 +65,11 @@ Atributo atributo(const Variable &v) {
     const GLuint donde = GLuint(v.donde);
     Atributo a;
     a.variable = v;
-    a.activo = delAtributo(donde, GL_VERTEX_ATTRIB_ARRAY_ENABLED);
-    a.bufer = delAtributo(donde, GL_VERTEX_ATTRIB_ARRAY_BUFFER_BINDING);
-    a.componentes = delAtributo(donde, GL_VERTEX_ATTRIB_ARRAY_SIZE);
-    a.paso = delAtributo(donde, GL_VERTEX_ATTRIB_ARRAY_STRIDE);
-    a.tipo = GLenum(delAtributo(donde, GL_VERTEX_ATTRIB_ARRAY_TYPE));
+    a.activo = contesta(glGetVertexAttribiv, donde, GL_VERTEX_ATTRIB_ARRAY_ENABLED);
+    a.bufer = contesta(glGetVertexAttribiv, donde, GL_VERTEX_ATTRIB_ARRAY_BUFFER_BINDING);
+    a.componentes = contesta(glGetVertexAttribiv, donde, GL_VERTEX_ATTRIB_ARRAY_SIZE);
+    a.paso = contesta(glGetVertexAttribiv, donde, GL_VERTEX_ATTRIB_ARRAY_STRIDE);
+    a.tipo = GLenum(contesta(glGetVertexAttribiv, donde, GL_VERTEX_ATTRIB_ARRAY_TYPE));
     void *puntero = nullptr;
     glGetVertexAttribPointerv(donde, GL_VERTEX_ATTRIB_ARRAY_POINTER, &puntero);
     a.desplazamiento = reinterpret_cast<std::intptr_t>(puntero);
@@ -113,16 +106,8 @@ const Objetivo OBJETIVOS[] = {
 };
 
 GLint delNivel(GLenum objetivo, GLint nivel, GLenum cual) {
-    GLint valor = 0;
-    glGetTexLevelParameteriv(objetivo == GL_TEXTURE_CUBE_MAP ? GL_TEXTURE_CUBE_MAP_POSITIVE_X : objetivo,
-                             nivel, cual, &valor);
-    return valor;
-}
-
-GLint deTextura(GLenum objetivo, GLenum cual) {
-    GLint valor = 0;
-    glGetTexParameteriv(objetivo, cual, &valor);
-    return valor;
+    const GLenum imagen = objetivo == GL_TEXTURE_CUBE_MAP ? GL_TEXTURE_CUBE_MAP_POSITIVE_X : objetivo;
+    return contesta(glGetTexLevelParameteriv, imagen, nivel, cual);
 }
 
 std::string porQueNoEstaCompleta(const Textura &t) {
@@ -136,7 +121,7 @@ std::string porQueNoEstaCompleta(const Textura &t) {
         return "";
     GLint hay = 1, faltan = 0;
     for (GLint talla = std::max(t.ancho, t.alto) / 2;
-         talla && hay + faltan <= deTextura(t.objetivo, GL_TEXTURE_MAX_LEVEL); talla /= 2)
+         talla && hay + faltan <= contesta(glGetTexParameteriv, t.objetivo, GL_TEXTURE_MAX_LEVEL); talla /= 2)
         ++(faltan || !delNivel(t.objetivo, hay, GL_TEXTURE_WIDTH) ? faltan : hay);
     return faltan ? "su filtro de reducción es " + nombreDe(GLenum(t.reduce)) + " y solo tiene " +
                         (hay == 1 ? "un nivel"
@@ -175,10 +160,10 @@ Textura textura(GLuint programa, const Variable &v, const Objetivo &o, bool conS
         t.ancho = delNivel(o.objetivo, 0, GL_TEXTURE_WIDTH);
         t.alto = delNivel(o.objetivo, 0, GL_TEXTURE_HEIGHT);
         t.formato = delNivel(o.objetivo, 0, GL_TEXTURE_INTERNAL_FORMAT);
-        t.reduce = deTextura(o.objetivo, GL_TEXTURE_MIN_FILTER);
-        t.amplia = deTextura(o.objetivo, GL_TEXTURE_MAG_FILTER);
-        t.repiteS = deTextura(o.objetivo, GL_TEXTURE_WRAP_S);
-        t.repiteT = deTextura(o.objetivo, GL_TEXTURE_WRAP_T);
+        t.reduce = contesta(glGetTexParameteriv, o.objetivo, GL_TEXTURE_MIN_FILTER);
+        t.amplia = contesta(glGetTexParameteriv, o.objetivo, GL_TEXTURE_MAG_FILTER);
+        t.repiteS = contesta(glGetTexParameteriv, o.objetivo, GL_TEXTURE_WRAP_S);
+        t.repiteT = contesta(glGetTexParameteriv, o.objetivo, GL_TEXTURE_WRAP_T);
     }
     t.incompleta = porQueNoEstaCompleta(t);
     if (conSuma && t.ancho > 0 && t.alto > 0)

@@ -15,12 +15,8 @@ using Color = std::array<double, 4>; // de 0 a 255, o lo que haya si es de float
 class Guardado {
     static constexpr GLenum INTERRUPTORES[] = {GL_SCISSOR_TEST, GL_CULL_FACE, GL_STENCIL_TEST,
                                                GL_DEPTH_TEST,   GL_BLEND,     GL_RASTERIZER_DISCARD};
-    static constexpr GLenum PAQUETE[] = {GL_PACK_ALIGNMENT, GL_PACK_ROW_LENGTH, GL_PACK_SKIP_ROWS,
-                                         GL_PACK_SKIP_PIXELS};
-    GLboolean activo[6], mascaraColor[4];
-    GLint mascaraProfundidad, mascaraPlantilla[2], funcionProfundidad, recorte[4], programa, vao, indices,
-        dibuja, lee, buferDeLeer, paquete[4], buferPaquete, textura, renderbuffer, unidad, lectura;
-    GLfloat colorDeBorrar[4];
+    GLboolean activo[6];
+    std::vector<std::function<void()>> repone;
 
 public:
     Guardado();
@@ -28,7 +24,6 @@ public:
     Guardado(const Guardado &) = delete;
     Guardado &operator=(const Guardado &) = delete;
     bool lleva(GLenum interruptor) const;
-    bool escribeColor() const;
 };
 
 /// Un framebuffer, con lo que se puede leer de él.

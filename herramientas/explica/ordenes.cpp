@@ -217,9 +217,8 @@ template<class Indice>
 std::vector<GLuint> leeIndices(std::intptr_t desde, GLsizei cuantos) {
     std::vector<Indice> leidos(static_cast<std::size_t>(cuantos));
     const auto bytes = GLsizeiptr(leidos.size() * sizeof(Indice));
-    GLint hay = 0;
-    glGetBufferParameteriv(GL_ELEMENT_ARRAY_BUFFER, GL_BUFFER_SIZE, &hay);
-    if (desde < 0 || desde + bytes > hay)
+    if (desde < 0 ||
+        desde + bytes > contesta(glGetBufferParameteriv, GL_ELEMENT_ARRAY_BUFFER, GL_BUFFER_SIZE))
         return {};
     glGetBufferSubData(GL_ELEMENT_ARRAY_BUFFER, desde, bytes, leidos.data());
     return {leidos.begin(), leidos.end()};
@@ -273,11 +272,9 @@ std::string constante(GLenum cual) {
 }
 
 std::string mascaraColor() {
-    GLboolean m[4];
-    glGetBooleanv(GL_COLOR_WRITEMASK, m);
-    std::string texto;
-    for (int i = 0; i < 4; ++i)
-        texto += m[i] ? "rgba"[i] : '-';
+    std::string texto = "rgba";
+    for (std::size_t i = 0; i < 4; ++i)
+        texto[i] = mascaraDeColor()[i] ? texto[i] : '-';
     return texto;
 }
 
@@ -326,7 +323,7 @@ std::vector<std::string> pruebas(const Orden &o) {
         lista.push_back("quita caras");
     if (glIsEnabled(GL_BLEND))
         lista.push_back("mezcla");
-    if (mascaraColor() == "----")
+    if (!escribeColor())
         lista.push_back("sin color");
     if (!glIsEnabled(GL_DEPTH_TEST))
         lista.push_back("sin profundidad");

@@ -37,8 +37,7 @@ void cubren(const Sueltas &s, int desde, int hasta, std::vector<int> &cuales) {
 }
 
 bool enRecorte(Punto p) {
-    GLint r[4];
-    glGetIntegerv(GL_SCISSOR_BOX, r);
+    const auto r = cuatro(GL_SCISSOR_BOX);
     return p.x >= r[0] && p.y >= r[1] && p.x < r[0] + r[2] && p.y < r[1] + r[3];
 }
 
@@ -55,6 +54,7 @@ struct Pregunta {
 // La primera prueba que no pasa, en el orden en que las hace OpenGL.
 std::string veredicto(const Pregunta &q, const Pinta &pinta) {
     const Guardado g;
+    const bool escribe = escribeColor() && q.lienzo.buferColor != GL_NONE;
     soloPregunta(q.pixel);
     const auto pasa = [&](GLuint programa, bool cara, bool plantilla, bool profundidad) {
         glUseProgram(programa);
@@ -74,12 +74,13 @@ std::string veredicto(const Pregunta &q, const Pinta &pinta) {
         return "plantilla";
     if (g.lleva(GL_DEPTH_TEST) && !pasa(q.programa, false, plantilla, true))
         return "profundidad";
-    return g.escribeColor() && q.lienzo.buferColor != GL_NONE ? "escrito" : "mascara";
+    return escribe ? "escrito" : "mascara";
 }
 
 // Si lo habría escrito sin esa prueba, que es la primera que no pasa: si pasa las demás.
 bool soloEsa(const Pregunta &q, const Pinta &pinta, const std::string &prueba) {
     const Guardado g;
+    const bool escribe = escribeColor();
     soloPregunta(q.pixel);
     const auto hay = [&](const char *nombre, GLenum interruptor) {
         pon(interruptor, prueba != nombre && g.lleva(interruptor));
@@ -88,7 +89,7 @@ bool soloEsa(const Pregunta &q, const Pinta &pinta, const std::string &prueba) {
     hay("plantilla", GL_STENCIL_TEST);
     hay("profundidad", GL_DEPTH_TEST);
     glUseProgram(prueba == "descartado" ? q.cobertura : q.programa);
-    return (prueba == "recorte" || q.dentroDelRecorte) && (prueba == "mascara" || g.escribeColor()) &&
+    return (prueba == "recorte" || q.dentroDelRecorte) && (prueba == "mascara" || escribe) &&
            muestrasDe(pinta) > 0;
 }
 
@@ -158,8 +159,7 @@ std::pair<Json, bool> mezcla(const Fragmento &f, const Color &antes, const Color
     const bool mezcla = glIsEnabled(GL_BLEND), acotado = l.componentes == GL_UNSIGNED_NORMALIZED;
     std::array<double, 4> origen{}, destino{}, factorOrigen{}, factorDestino{};
     Color suma{};
-    GLboolean escribe[4];
-    glGetBooleanv(GL_COLOR_WRITEMASK, escribe);
+    const auto escribe = mascaraDeColor();
     for (int c = 0; c < 4; ++c) {
         origen[c] = acotado ? std::clamp(double(f.color[c]), 0.0, 1.0) : double(f.color[c]);
         if (acotado && mezcla) // se mezcla con los bits que tiene el framebuffer
@@ -342,20 +342,17 @@ void hazYCuenta(const Orden &o, int numero, const Lienzo &l, Punto p, std::vecto
         return dibuja(o, numero, l, p, sucesos);
     if (o.que == Orden::Que::Copia && !enDestino(o, p))
         return o.hazla();
-    const bool fuera = glIsEnabled(GL_SCISSOR_TEST) && !enRecorte(p),
-               conColor = o.buferes & GL_COLOR_BUFFER_BIT;
-    GLboolean escribe[4];
-    glGetBooleanv(GL_COLOR_WRITEMASK, escribe);
-    const bool mascara =
-        o.que == Orden::Que::Borra && !(escribe[0] || escribe[1] || escribe[2] || escribe[3]);
+    const bool fuera = glIsEnabled(GL_SCISSOR_TEST) && !enRecorte(p);
+    const bool mascara = o.que == Orden::Que::Borra && !escribeColor();
     const Contenido antes = lee(l, p);
     o.hazla();
-    const bool escribeColor = conColor && !mascara && l.buferColor != GL_NONE;
-    const char *const que = fuera ? "recorte" : escribeColor ? "escrito" : "mascara";
+    const bool conColor = (o.buferes & GL_COLOR_BUFFER_BIT) != 0,
+               escribe = conColor && !mascara && l.buferColor != GL_NONE;
+    const char *const que = fuera ? "recorte" : escribe ? "escrito" : "mascara";
     const std::string hecho = o.que == Orden::Que::Borra ? "borrado" : "copiado de otro framebuffer";
-    const std::string dice = escribeColor && !fuera ? hecho
-                             : !conColor && !fuera  ? hecho + ", pero no el color"
-                                                    : enPalabras(que, l, antes, {});
+    const std::string dice = escribe && !fuera     ? hecho
+                             : !conColor && !fuera ? hecho + ", pero no el color"
+                                                   : enPalabras(que, l, antes, {});
     sucesos.push_back(suceso(numero, l, que, dice, antes, lee(l, p)));
 }
 

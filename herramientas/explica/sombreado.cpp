@@ -30,9 +30,7 @@ GLuint compila(GLenum tipo, const std::string &fuente) {
     const GLchar *const texto = fuente.c_str();
     glShaderSource(shader, 1, &texto, nullptr);
     glCompileShader(shader);
-    GLint compila = GL_FALSE;
-    glGetShaderiv(shader, GL_COMPILE_STATUS, &compila);
-    if (compila)
+    if (contesta(glGetShaderiv, shader, GL_COMPILE_STATUS))
         return shader;
     glDeleteShader(shader);
     return 0;
@@ -331,8 +329,7 @@ void reparte(Pesos &pesos) {
 // Lo que pesa cada vértice en el centro del píxel, con perspectiva y sin ella. La combinación de los tres puntos que se
 // proyecta ahí se halla sin dividir por w, que en un vértice de detrás de la cámara no es positiva.
 std::array<Pesos, 2> pesosDe(const std::array<std::vector<double>, 3> &posiciones, Punto p) {
-    GLint v[4];
-    glGetIntegerv(GL_VIEWPORT, v);
+    const auto v = cuatro(GL_VIEWPORT);
     const double X = 2 * (p.x + 0.5 - v[0]) / v[2] - 1, Y = 2 * (p.y + 0.5 - v[1]) / v[3] - 1;
     std::array<std::array<double, 2>, 3> a{};
     for (std::size_t i = 0; i < 3; ++i)

@@ -232,8 +232,7 @@ void Sospechas::delEstado(const Orden &o, const Lienzo &l, int n) {
         return pon(
             SEGURO, n, "el framebuffer " + std::to_string(l.nombre) + ", en que se dibuja, no está completo",
             "Le falta una textura o un renderbuffer, o no son de la misma talla: glCheckFramebufferStatus.");
-    GLint v[4];
-    glGetIntegerv(GL_VIEWPORT, v);
+    const auto v = cuatro(GL_VIEWPORT);
     if (v[2] == 0 || v[3] == 0 || v[0] >= l.ancho || v[1] >= l.alto || v[0] + v[2] <= 0 || v[1] + v[3] <= 0)
         pon(SEGURO, n, "el viewport queda fuera o no mide nada",
             "Mira glViewport: ¿en la función de cambio de tamaño?");
@@ -276,9 +275,8 @@ void Sospechas::pon(int gravedad, int orden, const Dicho &dicho) {
 
 void Sospechas::apuntaIndices(const Orden &o) {
     Indices &i = indices[entero(GL_ELEMENT_ARRAY_BUFFER_BINDING)];
-    GLint hay = 0;
-    glGetBufferParameteriv(GL_ELEMENT_ARRAY_BUFFER, GL_BUFFER_SIZE, &hay);
-    i.hay = hay, i.cadaUno = std::intptr_t(bytesDe(o.tipoIndice));
+    i.hay = contesta(glGetBufferParameteriv, GL_ELEMENT_ARRAY_BUFFER, GL_BUFFER_SIZE);
+    i.cadaUno = std::intptr_t(bytesDe(o.tipoIndice));
     for (const Tramo &t : o.tramos)
         i.hasta = std::max(i.hasta, reinterpret_cast<std::intptr_t>(t.indices) + i.cadaUno * t.vertices);
 }
@@ -493,8 +491,7 @@ std::string Sospechas::despues(const Orden &o, const Lienzo &l, const Cableado &
     const auto [corte, prueba] = corteDe(malla.puntos);
     if (!corte.empty())
         pon(SEGURO, n, "en la orden " + std::to_string(n) + ", " + corte, prueba);
-    GLboolean m[4];
-    glGetBooleanv(GL_COLOR_WRITEMASK, m);
+    const auto m = mascaraDeColor();
     if (!m[0] && !m[1] && !m[2])
         pon(SI_NO_SE_VE_NADA, n, "glColorMask no deja escribir el color",
             "Falta glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE).");
