@@ -231,43 +231,46 @@ Json deCableado(const Cableado &c) {
     for (const Atributo &a : c.atributos) {
         const std::vector<std::array<float, 4>> tres(
             a.primeros.begin(), a.primeros.begin() + std::min<long>(3, long(a.primeros.size())));
-        Json json;
-        json.pon("nombre", a.variable.nombre).pon("tipo", tipoDe(a.variable.tipo)).pon("activo", a.activo);
-        json.pon("bufer", a.bufer).pon("componentes", a.componentes).pon("de", nombreDe(a.tipo));
-        atributos.push_back(json.pon("paso", a.paso)
-                                .pon("desplazamiento", a.desplazamiento)
-                                .pon("primeros", tres)
-                                .pon("suma", a.suma));
+        atributos.push_back({{"nombre", a.variable.nombre},
+                             {"tipo", tipoDe(a.variable.tipo)},
+                             {"activo", a.activo},
+                             {"bufer", a.bufer},
+                             {"componentes", a.componentes},
+                             {"de", nombreDe(a.tipo)},
+                             {"paso", a.paso},
+                             {"desplazamiento", a.desplazamiento},
+                             {"primeros", tres},
+                             {"suma", a.suma}});
     }
     for (const Uniforme &u : c.uniformes)
-        uniformes.push_back(Json()
-                                .pon("nombre", u.variable.nombre)
-                                .pon("tipo", tipoDe(u.variable.tipo))
-                                .pon("valor", u.valor)
-                                .pon("etapas", u.etapas)
-                                .pon("dado", u.dado)
-                                .pon("pila", u.pila));
+        uniformes.push_back({{"nombre", u.variable.nombre},
+                             {"tipo", tipoDe(u.variable.tipo)},
+                             {"valor", u.valor},
+                             {"etapas", u.etapas},
+                             {"dado", u.dado},
+                             {"pila", u.pila}});
     for (const Textura &t : c.texturas) {
-        Json json;
-        json.pon("sampler", t.sampler)
-            .pon("unidad", t.unidad)
-            .pon("textura", t.nombre)
-            .pon("objetivo", nombreDe(t.objetivo));
         std::vector<GLint> talla;
         if (!EN_WEB)
             talla = {t.ancho, t.alto};
-        json.pon("talla", talla).pon("formato", EN_WEB ? "" : nombreDe(GLenum(t.formato)));
-        json.pon("reduce", nombreDe(GLenum(t.reduce))).pon("amplia", nombreDe(GLenum(t.amplia)));
-        json.pon("repite", nombreDe(GLenum(t.repiteS)) + ", " + nombreDe(GLenum(t.repiteT)));
-        texturas.push_back(json.pon("incompleta", t.incompleta).pon("suma", t.suma));
+        texturas.push_back({{"sampler", t.sampler},
+                            {"unidad", t.unidad},
+                            {"textura", t.nombre},
+                            {"objetivo", nombreDe(t.objetivo)},
+                            {"talla", talla},
+                            {"formato", EN_WEB ? "" : nombreDe(GLenum(t.formato))},
+                            {"reduce", nombreDe(GLenum(t.reduce))},
+                            {"amplia", nombreDe(GLenum(t.amplia))},
+                            {"repite", nombreDe(GLenum(t.repiteS)) + ", " + nombreDe(GLenum(t.repiteT))},
+                            {"incompleta", t.incompleta},
+                            {"suma", t.suma}});
     }
-    return Json()
-        .pon("indices", entero(GL_ELEMENT_ARRAY_BUFFER_BINDING))
-        .pon("sumaIndices", c.sumaIndices)
-        .pon("vao", entero(GL_VERTEX_ARRAY_BINDING))
-        .pon("atributos", atributos)
-        .pon("uniformes", uniformes)
-        .pon("texturas", texturas);
+    return {{"indices", entero(GL_ELEMENT_ARRAY_BUFFER_BINDING)},
+            {"sumaIndices", c.sumaIndices},
+            {"vao", entero(GL_VERTEX_ARRAY_BINDING)},
+            {"atributos", atributos},
+            {"uniformes", uniformes},
+            {"texturas", texturas}};
 }
 
 } // namespace explica

@@ -1,8 +1,8 @@
 #include "deduce.h"
+#include "json.h"
 #include "lexico.h"
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <regex>
 
 namespace explica {
@@ -19,12 +19,6 @@ V cruz(const V &a, const V &b) {
 }
 double punto(const V &a, const V &b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-std::string cifras(double numero) {
-    char texto[32];
-    std::snprintf(texto, sizeof texto, "%.4g", numero);
-    return texto;
 }
 
 // El número de cada punto, el mismo si están en el mismo sitio.
@@ -233,12 +227,12 @@ bool perpendiculares(const std::vector<double> &m) { // las tres filas
 Dicho dePlanos(const std::string &quien, const std::vector<double> &m, bool alReves) {
     const double cerca = m[14] / (m[10] - 1), lejos = m[14] / (m[10] + 1);
     if (m[14] == 0 || cerca < 0)
-        return {"en la proyección, " + quien + ", el plano cerca es " + (m[14] == 0 ? "0" : cifras(cerca)) +
-                    ": todo queda a la misma profundidad",
+        return {"en la proyección, " + quien + ", el plano cerca es " +
+                    (m[14] == 0 ? "0" : cifras(cerca, 4)) + ": todo queda a la misma profundidad",
                 "cerca tiene que ser mayor que 0: 0.1, por ejemplo."};
     if (cerca > lejos && lejos > 0 && !alReves)
-        return {"en la proyección, " + quien + ", cerca (" + cifras(cerca) + ") es mayor que lejos (" +
-                    cifras(lejos) + ")",
+        return {"en la proyección, " + quien + ", cerca (" + cifras(cerca, 4) + ") es mayor que lejos (" +
+                    cifras(lejos, 4) + ")",
                 "glm::perspective(ángulo, aspecto, cerca, lejos): están cambiados."};
     for (int grados = 20; grados < 180; ++grados)
         if (std::fabs(m[5] * std::tan(grados / 2.0) - 1) < 2e-6)

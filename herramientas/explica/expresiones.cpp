@@ -4,15 +4,6 @@ namespace explica {
 
 namespace {
 
-int prioridad(const Palabra &p) {
-    static const std::map<std::string, int> PRIORIDAD = {
-        {"||", 1}, {"^^", 2}, {"&&", 3}, {"|", 4},  {"^", 5},  {"&", 6},  {"==", 7},
-        {"!=", 7}, {"<", 8},  {">", 8},  {"<=", 8}, {">=", 8}, {"<<", 9}, {">>", 9},
-        {"+", 10}, {"-", 10}, {"*", 11}, {"/", 11}, {"%", 11}};
-    const auto k = PRIORIDAD.find(p.texto);
-    return k == PRIORIDAD.end() ? 0 : k->second;
-}
-
 bool asigna(const Palabra &p) {
     static const std::set<std::string> SIGNOS = {
         "=", "+=", "-=", "*=", "/=", "%=", "&=", "<<=", ">>=", "|=", "^="};
@@ -23,13 +14,8 @@ bool asigna(const Palabra &p) {
 
 Expresion Reescritor::expresion() {
     Expresion e = asignacion();
-    while (toma(",")) {
-        const Expresion otra = asignacion();
-        e.texto += " , " + otra.texto;
-        e.efectos |= otra.efectos;
-        e.lugar = false;
-        e.hasta = otra.hasta;
-    }
+    while (toma(","))
+        e.sigue(" , ", asignacion());
     return e;
 }
 
@@ -78,27 +64,17 @@ Expresion Reescritor::ternaria() {
     if (!congelado)
         c.texto = envuelve(Clase::Condicion, p[c.desde], comoEsta(c), {"bool", nullptr, 0}, c.texto);
     ++i;
-    const Expresion a = expresion();
+    c.sigue(" ? ", expresion());
     exige(":");
-    const Expresion b = asignacion();
-    c.texto += " ? " + a.texto + " : " + b.texto;
-    c.efectos |= a.efectos || b.efectos;
-    c.tipo = {};
-    c.lugar = false;
-    c.hasta = b.hasta;
+    c.sigue(" : ", asignacion());
     return c;
 }
 
 Expresion Reescritor::binaria(int minima) {
     Expresion a = unaria();
-    while (prioridad(ahora()) > minima) {
-        const Palabra op = p[i++];
-        const Expresion b = binaria(prioridad(op));
-        a.texto += " " + op.texto + " " + b.texto;
-        a.efectos |= b.efectos;
-        a.tipo = {};
-        a.lugar = false;
-        a.hasta = b.hasta;
+    while (prioridad(ahora().texto) > minima) {
+        const std::string op = p[i++].texto;
+        a.sigue(" " + op + " ", binaria(prioridad(op)));
     }
     return a;
 }
@@ -118,8 +94,7 @@ Expresion Reescritor::unaria() {
         avisa(p[desde], "no sé apuntar aquí lo que vale «" + comoEsta(e) + "»");
     e.efectos |= cambia;
     e.desde = desde;
-    e.lugar = false;
-    e.tipo = {};
+    e.yaNoEsLugar();
     return e;
 }
 
@@ -136,8 +111,7 @@ Expresion Reescritor::posfija() {
             e.texto += " . length ( )";
             i += 3;
             exige(")");
-            e.tipo = {};
-            e.lugar = false;
+            e.yaNoEsLugar();
         } else if (toma(".")) {
             const std::string campo = p[nombreNuevo()].texto;
             e.texto += " . " + campo;
@@ -167,8 +141,7 @@ void Reescritor::trasPosfijo(Expresion &e) {
         e.texto += mas ? " ++" : " --";
     }
     e.efectos = true;
-    e.lugar = false;
-    e.tipo = {};
+    e.yaNoEsLugar();
 }
 
 Expresion Reescritor::primaria() {

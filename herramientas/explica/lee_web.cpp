@@ -45,11 +45,7 @@ void main() { color = vec4(1.0); }
 
 GLuint enlaza(const char *fragmento) {
     const GLuint programa = glCreateProgram();
-    for (const auto &[tipo, texto] :
-         {std::pair(GL_VERTEX_SHADER, EN_TODO), {GL_FRAGMENT_SHADER, fragmento}}) {
-        const GLuint shader = glCreateShader(GLenum(tipo));
-        glShaderSource(shader, 1, &texto, nullptr);
-        glCompileShader(shader);
+    for (const GLuint shader : {compila(GL_VERTEX_SHADER, EN_TODO), compila(GL_FRAGMENT_SHADER, fragmento)}) {
         glAttachShader(programa, shader);
         glDeleteShader(shader);
     }
@@ -91,8 +87,7 @@ const Marco &marcoDe(GLenum formato, int ancho, int alto, GLenum deColor = GL_RG
         glBindFramebuffer(GL_FRAMEBUFFER, m.nombre);
         return m;
     }
-    GLint vista[4];
-    glGetIntegerv(GL_VIEWPORT, vista);
+    const auto vista = cuatro(GL_VIEWPORT);
     glDeleteFramebuffers(1, &m.nombre);
     glDeleteRenderbuffers(1, &m.color);
     glDeleteTextures(1, &m.profundidad);
@@ -158,11 +153,10 @@ const Marco &copia(const Lienzo &l, int x, int y, int ancho, int alto, GLenum de
 
 // Sin ninguna prueba; lo que se cubra llega a todo el rectángulo (0, 0, ancho, alto).
 class SinPruebas {
-    GLint vista[4];
+    std::array<GLint, 4> vista = cuatro(GL_VIEWPORT);
 
 public:
     SinPruebas(int x, int y, int ancho, int alto) {
-        glGetIntegerv(GL_VIEWPORT, vista);
         glViewport(x, y, ancho, alto);
         for (const GLenum prueba :
              {GL_SCISSOR_TEST, GL_CULL_FACE, GL_STENCIL_TEST, GL_DEPTH_TEST, GL_BLEND, GL_RASTERIZER_DISCARD})
@@ -253,9 +247,9 @@ void leePixeles(const Lienzo &l, int x, int y, int ancho, int alto, float *rgba)
 // En el framebuffer aparte, con la profundidad y la plantilla de donde se dibuja, solo se escribe el color: si cambia
 // es que pasa. De lo que el recorte deja y, si no lo hay, de todo.
 long muestrasDe(const std::function<void()> &dibuja) {
-    GLint r[4], nombre = entero(GL_DRAW_FRAMEBUFFER_BINDING);
+    const GLint nombre = entero(GL_DRAW_FRAMEBUFFER_BINDING);
     const bool recorta = glIsEnabled(GL_SCISSOR_TEST);
-    glGetIntegerv(recorta ? GL_SCISSOR_BOX : GL_VIEWPORT, r);
+    const auto r = cuatro(recorta ? GL_SCISSOR_BOX : GL_VIEWPORT);
     Lienzo l;
     l.nombre = GLuint(nombre);
     l.ancho = r[0] + r[2], l.alto = r[1] + r[3];

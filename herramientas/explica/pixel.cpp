@@ -179,17 +179,15 @@ std::pair<Json, bool> mezcla(const Fragmento &f, const Color &antes, const Color
         // los dos productos y lo que dan se redondean a un nivel
         cuadra = cuadra && (alfa || std::fabs(suma[c] - despues[c]) <= 1.5 || std::isnan(suma[c]));
     }
-    Json json;
-    json.pon("si", mezcla).pon("ecuacion", nombreDe(GLenum(entero(GL_BLEND_EQUATION_RGB))));
-    json.pon("factorOrigen", factorOrigen).pon("factorDestino", factorDestino);
-    json.pon("origen", origen).pon("destino", destino).pon("suma", suma).pon("cuadra", cuadra);
-    return {json, cuadra};
-}
-
-std::string cifras(double numero) {
-    char texto[32];
-    std::snprintf(texto, sizeof texto, "%.6g", numero);
-    return texto;
+    return {{{"si", mezcla},
+             {"ecuacion", nombreDe(GLenum(entero(GL_BLEND_EQUATION_RGB)))},
+             {"factorOrigen", factorOrigen},
+             {"factorDestino", factorDestino},
+             {"origen", origen},
+             {"destino", destino},
+             {"suma", suma},
+             {"cuadra", cuadra}},
+            cuadra};
 }
 
 std::string enPalabras(const std::string &veredicto, const Lienzo &l, const Contenido &antes,
@@ -209,18 +207,23 @@ std::string enPalabras(const std::string &veredicto, const Lienzo &l, const Cont
         return "no pasa la plantilla: hay " + std::to_string(antes.plantilla.value_or(0)) + " y se pide " +
                constante(GL_STENCIL_FUNC) + " " + std::to_string(pideLaPlantilla());
     if (veredicto == "profundidad" && f && antes.profundidad)
-        return "oculto: su profundidad es " + cifras(double(f->profundidad)) + " y había " +
-               cifras(*antes.profundidad) + " (" + constante(GL_DEPTH_FUNC) + ")";
+        return "oculto: su profundidad es " + cifras(double(f->profundidad), 6) + " y había " +
+               cifras(*antes.profundidad, 6) + " (" + constante(GL_DEPTH_FUNC) + ")";
     return veredicto == "profundidad" ? "oculto (" + constante(GL_DEPTH_FUNC) + ")" : "escrito";
 }
 
 Suceso suceso(int numero, const Lienzo &l, const std::string &veredicto, const std::string &dice,
               const Contenido &antes, const Contenido &despues) {
-    Json s;
-    s.pon("orden", numero).pon("veredicto", veredicto).pon("dice", dice).pon("framebuffer", l.nombre);
-    s.pon("antes", antes.color).pon("despues", despues.color);
-    s.pon("profundidadAntes", antes.profundidad).pon("profundidadDespues", despues.profundidad);
-    s.pon("plantillaAntes", antes.plantilla).pon("plantillaDespues", despues.plantilla);
+    const Json s = {{"orden", numero},
+                    {"veredicto", veredicto},
+                    {"dice", dice},
+                    {"framebuffer", l.nombre},
+                    {"antes", antes.color},
+                    {"despues", despues.color},
+                    {"profundidadAntes", antes.profundidad},
+                    {"profundidadDespues", despues.profundidad},
+                    {"plantillaAntes", antes.plantilla},
+                    {"plantillaDespues", despues.plantilla}};
     return {numero, l.nombre, veredicto, -1, despues.color, s};
 }
 

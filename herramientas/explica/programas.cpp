@@ -27,6 +27,31 @@ std::vector<Fuente> fuentesDe(GLuint programa) {
     return fuentes;
 }
 
+std::vector<GLuint> shadersDe(GLuint programa) {
+    std::vector<GLuint> shaders;
+    for (const Fuente &f : fuentesDe(programa))
+        shaders.push_back(f.shader);
+    return shaders;
+}
+
+std::string fuenteDe(GLuint programa, GLenum tipo) {
+    std::string texto;
+    for (const Fuente &f : fuentesDe(programa))
+        texto += f.tipo == tipo ? f.texto : "";
+    return texto;
+}
+
+GLuint compila(GLenum tipo, const std::string &fuente) {
+    const GLuint shader = glCreateShader(tipo);
+    const GLchar *const texto = fuente.c_str();
+    glShaderSource(shader, 1, &texto, nullptr);
+    glCompileShader(shader);
+    if (contesta(glGetShaderiv, shader, GL_COMPILE_STATUS))
+        return shader;
+    glDeleteShader(shader);
+    return 0;
+}
+
 bool nombra(const std::string &texto, const std::string &palabra) {
     const auto sigue = [&](std::size_t i) {
         return i < texto.size() && (std::isalnum(static_cast<unsigned char>(texto[i])) || texto[i] == '_');
@@ -218,13 +243,10 @@ GLuint sinDescartar(GLuint original) {
                 shaders.push_back(f.shader);
         if (shaders.empty())
             return 0;
-        const char *const texto = "#version 140\nout vec4 color;\nvoid main() {\n    color = vec4(1.0);\n}\n";
-        const GLuint fragmento = glCreateShader(GL_FRAGMENT_SHADER);
-        glShaderSource(fragmento, 1, &texto, nullptr);
-        glCompileShader(fragmento);
-        shaders.push_back(fragmento);
+        shaders.push_back(compila(GL_FRAGMENT_SHADER,
+                                  "#version 140\nout vec4 color;\nvoid main() { color = vec4(1.0); }\n"));
         const GLuint hecho = enlazaComo(original, shaders);
-        glDeleteShader(fragmento);
+        glDeleteShader(shaders.back());
         return hecho;
     });
 }

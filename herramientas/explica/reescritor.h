@@ -16,6 +16,17 @@ struct Expresion {
     bool lugar = false; // si es una variable o una parte suya
     bool efectos = false; // si calcularla dos veces no da lo mismo
     std::size_t desde = 0, hasta = 0;
+
+    void yaNoEsLugar() {
+        tipo = {};
+        lugar = false;
+    }
+    void sigue(const std::string &signo, const Expresion &otra) {
+        texto += signo + otra.texto;
+        efectos |= otra.efectos;
+        hasta = otra.hasta;
+        yaNoEsLugar();
+    }
 };
 
 /// Lo que nombra un nombre: una variable o una estructura.
@@ -123,7 +134,8 @@ private:
     Cabeza cabeza();
     void calificador(Cabeza &c);
     std::string defineEstructura(Tipo &tipo);
-    std::string corchetes(Tipo &tipo); // los de un array, si los hay
+    bool conoce(std::size_t desde, std::size_t hasta, long long &valor) const; // de una constante entera
+    std::string corchetes(Tipo &tipo);                                         // los de un array, si los hay
     std::string declaracion(const Cabeza &c, std::string &despues);
     std::string inicial(const Cabeza &c, std::size_t nombre, Tipo &tipo, std::string &despues);
     std::string global();

@@ -14,7 +14,8 @@ const int SALIDAS = 6;           // las que salen cada vez
 const long PASOS = 4000;         // los que se apuntan, como mucho
 const std::size_t LECTURAS = 64; // de texturas, que se explican
 
-using Salidas = std::vector<std::array<float, 4 * SALIDAS>>; // de cada vértice, o del fragmento
+using Salida = std::array<float, 4 * SALIDAS>; // de un vértice, o del fragmento
+using Salidas = std::vector<Salida>;
 
 // Un programa con uno de los dos shaders reescrito.
 struct Reescribible {
@@ -23,18 +24,6 @@ struct Reescribible {
     Desconocidas desconocidas;
     std::string motivo; // por qué no se puede
 };
-
-// El shader de esa fuente, o 0 si no compila.
-GLuint compila(GLenum tipo, const std::string &fuente) {
-    const GLuint shader = glCreateShader(tipo);
-    const GLchar *const texto = fuente.c_str();
-    glShaderSource(shader, 1, &texto, nullptr);
-    glCompileShader(shader);
-    if (contesta(glGetShaderiv, shader, GL_COMPILE_STATUS))
-        return shader;
-    glDeleteShader(shader);
-    return 0;
-}
 
 // Si OpenGL define ese nombre en un shader que empieza así: se le pregunta una vez.
 bool define(const std::string &cabecera, const std::string &nombre) {
@@ -91,44 +80,6 @@ Reescribible reescribeEn(GLuint original, Etapa etapa) {
     glDeleteShader(nuevo);
     return r;
 }
-
-// Lo que apuntan los vértices de la primitiva: se recoge sin rasterizar.
-class Vertices {
-    const Sueltas &sueltas;
-    int cual;
-    GLuint bufer = 0;
-
-public:
-    Vertices(const Sueltas &s, int primitiva) : sueltas(s), cual(primitiva) {
-        glGenBuffers(1, &bufer);
-        const GLint antes = entero(GL_TRANSFORM_FEEDBACK_BUFFER_BINDING);
-        glBindBuffer(GL_TRANSFORM_FEEDBACK_BUFFER, bufer); // WebGL no deja que además lo sea de otra cosa
-        glBufferData(GL_TRANSFORM_FEEDBACK_BUFFER,
-                     GLsizeiptr(sizeof(float)) * 4 * SALIDAS * s.primitivas.vertices, nullptr,
-                     GL_STREAM_READ);
-        glBindBuffer(GL_TRANSFORM_FEEDBACK_BUFFER, GLuint(antes));
-    }
-    ~Vertices() {
-        glDeleteBuffers(1, &bufer);
-    }
-    Vertices(const Vertices &) = delete;
-    Vertices &operator=(const Vertices &) = delete;
-
-    Salidas operator()() const {
-        const GLint antes = entero(GL_TRANSFORM_FEEDBACK_BUFFER_BINDING);
-        glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, bufer);
-        glEnable(GL_RASTERIZER_DISCARD);
-        glBeginTransformFeedback(GL_POINTS);
-        sueltas.dibujaVertices(cual, cual + 1);
-        glEndTransformFeedback();
-        glDisable(GL_RASTERIZER_DISCARD);
-        Salidas salidas(std::size_t(sueltas.primitivas.vertices));
-        glGetBufferSubData(GL_TRANSFORM_FEEDBACK_BUFFER, 0, GLsizeiptr(salidas.size() * sizeof salidas[0]),
-                           salidas.data());
-        glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, GLuint(antes));
-        return salidas;
-    }
-};
 
 // Lo que apunta el fragmento: se dibuja en varios framebuffers de float a la vez.
 class Fragmento {
@@ -272,12 +223,12 @@ std::vector<Json> lineas(const Traza &traza) {
     for (const Paso &p : traza.apuntado) {
         if (p.nota->clase == Clase::Lee)
             continue; // va aparte
-        Json linea;
-        linea.pon("linea", p.nota->linea)
-            .pon("clase", nombreClase(p.nota->clase))
-            .pon("nombre", p.nota->nombre);
-        linea.pon("tipo", p.nota->tipo).pon("funcion", p.nota->funcion).pon("valor", p.valor);
-        lista.push_back(linea);
+        lista.push_back({{"linea", p.nota->linea},
+                         {"clase", nombreClase(p.nota->clase)},
+                         {"nombre", p.nota->nombre},
+                         {"tipo", p.nota->tipo},
+                         {"funcion", p.nota->funcion},
+                         {"valor", p.valor}});
     }
     return lista;
 }
@@ -289,16 +240,17 @@ Json enJsonDe(const Reescribible &r, const Traza &traza) {
     for (const Paso &p : traza.apuntado)
         if (p.valor.empty() && p.nota->tipo != "void")
             sinSeguir.push_back(Json().pon("linea", p.nota->linea).pon("motivo", r.desconocidas.motivo()));
-    Json json;
     std::vector<int>
         apuntables; // las líneas en que puede pasar algo: las que no están entre las otras no se ejecutan
     for (const Nota &nota : r.reescrito.notas)
         if (!nota.funcion.empty() && nota.clase != Clase::Lee &&
             (apuntables.empty() || apuntables.back() != nota.linea))
             apuntables.push_back(nota.linea);
-    json.pon("pasos", traza.pasos).pon("lineas", lineas(traza)).pon("sinSeguir", sinSeguir);
-    json.pon("apuntables", apuntables);
-    return json.pon("motivo", r.motivo);
+    return {{"pasos", traza.pasos},
+            {"lineas", lineas(traza)},
+            {"sinSeguir", sinSeguir},
+            {"apuntables", apuntables},
+            {"motivo", r.motivo}};
 }
 
 std::vector<Json> lecturasDe([[maybe_unused]] GLuint programa,
@@ -372,17 +324,9 @@ std::vector<Json> interpola(const std::vector<Traza> &vertices, const Traza &fra
                 suma[k] += pesos[i] * suyo->valor[k];
         }
         if (estan)
-            lista.push_back(
-                Json().pon("nombre", p.nota->nombre).pon("interpolado", suma).pon("valor", p.valor));
+            lista.push_back({{"nombre", p.nota->nombre}, {"interpolado", suma}, {"valor", p.valor}});
     }
     return lista;
-}
-
-std::string fuenteDe(GLuint programa, GLenum tipo) {
-    for (const Fuente &f : fuentesDe(programa))
-        if (f.tipo == tipo)
-            return f.texto;
-    return "";
 }
 
 } // namespace
@@ -400,7 +344,7 @@ Json sombrea(const Orden &orden, const Lienzo &l, Punto p, int primitiva) {
                        deVertices = reescribeEn(programa, Etapa::Vertices);
     std::vector<Traza> vertices;
     if (deVertices.motivo.empty())
-        vertices = trazas(deVertices, Vertices(s, primitiva));
+        vertices = trazas(deVertices, [&] { return s.recoge<Salida>(primitiva, primitiva + 1); });
     Traza fragmento;
     if (deFragmento.motivo.empty())
         fragmento = trazas(deFragmento, Fragmento(s, primitiva, l, p))[0];

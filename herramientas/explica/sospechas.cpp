@@ -43,12 +43,7 @@ bool importa(const Orden &o, Lienzo l, const Variable &uniform) {
     const GLuint original = GLuint(entero(GL_CURRENT_PROGRAM));
     l.bitsProfundidad = 0;
     const Guardado guardado;
-    const GLuint otro = gemelo(original, "igual", [&] {
-        std::vector<GLuint> shaders;
-        for (const Fuente &f : fuentesDe(original))
-            shaders.push_back(f.shader);
-        return enlazaComo(original, shaders);
-    });
+    const GLuint otro = gemelo(original, "igual", [&] { return enlazaComo(original, shadersDe(original)); });
     if (!otro)
         return true;
     glDisable(GL_CULL_FACE);
@@ -61,10 +56,7 @@ bool importa(const Orden &o, Lienzo l, const Variable &uniform) {
 }
 
 std::string fuentesDelPrograma(GLenum tipo) {
-    std::string texto;
-    for (const Fuente &f : fuentesDe(GLuint(entero(GL_CURRENT_PROGRAM))))
-        texto += f.tipo == tipo ? f.texto : "";
-    return texto;
+    return fuenteDe(GLuint(entero(GL_CURRENT_PROGRAM)), tipo);
 }
 
 // Si lo lejano tiene menos profundidad, porque así se pide.
@@ -217,11 +209,9 @@ void Sospechas::deNormales(const Cableado &c, int n) {
             const double mide = largo(N);
             if (mide == 0 || std::fabs(mide - 1) <= 0.01)
                 continue;
-            char cifras[24];
-            std::snprintf(cifras, sizeof cifras, "%.3g", mide);
             return pon(SEGURO, n,
-                       "las normales («" + a.variable.nombre + "») no son unitarias, miden " + cifras +
-                           ", y el shader no las normaliza",
+                       "las normales («" + a.variable.nombre + "») no son unitarias, miden " +
+                           cifras(mide, 3) + ", y el shader no las normaliza",
                        "Falta normalize en el shader, o las da así la matriz con que se transforman.");
         }
     }
@@ -545,11 +535,9 @@ std::vector<Json> Sospechas::todas(bool unColor) {
     for (const Sospecha &s : lista)
         if (noSeVeNada || s.gravedad >= SEGURO)
             salen.push_back(
-                Json()
-                    .pon("orden", s.orden)
-                    .pon("dice",
-                         s.dice + (s.otras ? "; otras " + std::to_string(s.otras) + ", por lo mismo" : ""))
-                    .pon("prueba", s.prueba));
+                {{"orden", s.orden},
+                 {"dice", s.dice + (s.otras ? "; otras " + std::to_string(s.otras) + ", por lo mismo" : "")},
+                 {"prueba", s.prueba}});
     return salen;
 }
 

@@ -205,20 +205,18 @@ std::optional<Suma> laMejor(const Lectura &l) {
 Json enJsonDe(const Suma &s) {
     std::vector<Json> texels, niveles;
     for (const Texel &t : s.texels)
-        texels.push_back(Json()
-                             .pon("nivel", t.nivel)
-                             .pon("texel", std::array<int, 2>{t.x, t.y})
-                             .pon("peso", t.peso)
-                             .pon("color", t.color));
+        texels.push_back({{"nivel", t.nivel},
+                          {"texel", std::array<int, 2>{t.x, t.y}},
+                          {"peso", t.peso},
+                          {"color", t.color}});
     for (const auto &[nivel, peso] : s.mezcla.niveles)
         niveles.push_back(Json().pon("nivel", nivel).pon("peso", peso));
-    return Json()
-        .pon("lambda", s.mezcla.lambda)
-        .pon("filtro", nombreDe(GLenum(s.mezcla.filtro)))
-        .pon("niveles", niveles)
-        .pon("texels", texels)
-        .pon("suma", s.suma)
-        .pon("cuadra", s.cuadra());
+    return {{"lambda", s.mezcla.lambda},
+            {"filtro", nombreDe(GLenum(s.mezcla.filtro))},
+            {"niveles", niveles},
+            {"texels", texels},
+            {"suma", s.suma},
+            {"cuadra", s.cuadra()}};
 }
 
 } // namespace
