@@ -81,7 +81,8 @@ private:
     // Lo que sale
     Reescrito r;
     std::set<std::string> tipos, varian;
-    std::set<std::size_t> lecturas; // de texture(), con cuántos argumentos
+    std::set<std::string> lecturas; // «texture2», «textureLod3»: con cuántos argumentos
+    std::map<std::string, std::set<std::string>> llegan; // a cada parámetro, «funcion/0», qué texturas
     std::string alEmpezar, alAcabar;
     std::set<std::string> daba; // las salidas de un fragment shader, que pasan a ser variables como las demás
 
@@ -124,7 +125,9 @@ private:
     Expresion primaria();
     Expresion llamada(bool construye);
     std::vector<Expresion> argumentos(const std::string &funcion);
-    void apuntaLectura(Expresion &e, const std::vector<Expresion> &dados);
+    void apuntaLectura(const std::string &funcion, Expresion &e, const std::vector<Expresion> &dados);
+    std::string texturaDe(const Expresion &e) const;
+    std::set<std::string> deDonde(const std::string &textura, int quedan) const;
     void trasPosfijo(Expresion &e);
     void apuntaAsignacion(Expresion &a, const std::string &lugar, bool repetible, bool toda);
 

@@ -214,14 +214,14 @@ std::vector<Traza> trazas(const Reescribible &r, const Ejecuta &ejecuta) {
 const char *nombreClase(Clase clase) {
     const char *const NOMBRES[] = {"entrada",  "global", "declara",  "asigna",    "condicion",
                                    "vuelta",   "caso",   "entra",    "argumento", "sale",
-                                   "devuelve", "vuelve", "descarta", "salida",    "lee"};
+                                   "devuelve", "vuelve", "descarta", "salida"};
     return NOMBRES[int(clase)];
 }
 
 std::vector<Json> lineas(const Traza &traza) {
     std::vector<Json> lista;
     for (const Paso &p : traza.apuntado) {
-        if (p.nota->clase == Clase::Lee)
+        if (p.nota->clase >= Clase::Lee)
             continue; // va aparte
         lista.push_back({{"linea", p.nota->linea},
                          {"clase", nombreClase(p.nota->clase)},
@@ -243,7 +243,7 @@ Json enJsonDe(const Reescribible &r, const Traza &traza) {
     std::vector<int>
         apuntables; // las líneas en que puede pasar algo: las que no están entre las otras no se ejecutan
     for (const Nota &nota : r.reescrito.notas)
-        if (!nota.funcion.empty() && nota.clase != Clase::Lee &&
+        if (!nota.funcion.empty() && nota.clase < Clase::Lee &&
             (apuntables.empty() || apuntables.back() != nota.linea))
             apuntables.push_back(nota.linea);
     return {{"pasos", traza.pasos},
@@ -257,13 +257,20 @@ std::vector<Json> lecturasDe([[maybe_unused]] GLuint programa,
                              [[maybe_unused]] const std::vector<Paso> &pasos) {
     std::vector<Json> lista;
 #ifndef __EMSCRIPTEN__ // ahí las texturas no se pueden leer así
-    for (std::size_t i = 0; i + 2 < pasos.size() && lista.size() < LECTURAS; ++i) {
-        const Paso &uno = pasos[i], &otro = pasos[i + 1], &ultimo = pasos[i + 2];
-        if (uno.nota->clase != Clase::Lee)
+    for (std::size_t i = 0; i < pasos.size() && lista.size() < LECTURAS; ++i) {
+        const Nota &nota = *pasos[i].nota;
+        if (nota.clase == Clase::SinSeguir)
+            lista.push_back(
+                {{"linea", nota.linea},
+                 {"escrito", nota.nombre},
+                 {"valor", pasos[i].valor},
+                 {"motivo", "no sé de qué texels sale: solo sigo texture y textureLod de un sampler2D"}});
+        if (nota.clase != Clase::Lee || i + 2 >= pasos.size())
             continue;
-        if (!uno.valor.empty() && !otro.valor.empty() && !ultimo.valor.empty())
-            lista.push_back(deLectura(programa, {uno.nota->linea, uno.nota->nombre, otro.nota->nombre,
-                                                 uno.valor, otro.valor, ultimo.valor}));
+        const Paso &otro = pasos[i + 1], &ultimo = pasos[i + 2];
+        if (!pasos[i].valor.empty() && !otro.valor.empty() && !ultimo.valor.empty())
+            lista.push_back(deLectura(programa, {nota.linea, nota.nombre, otro.nota->nombre, pasos[i].valor,
+                                                 otro.valor, ultimo.valor}));
         i += 2;
     }
 #endif

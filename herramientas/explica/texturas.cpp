@@ -240,9 +240,10 @@ Json deLectura(GLuint programa, const Lectura &l) {
     const bool cuadra = suma && suma->cuadra();
     json.pon("linea", l.linea).pon("sampler", l.sampler).pon("escrito", l.escrito).pon("valor", l.valor);
     json.pon("coordenadas", std::array<double, 2>{l.coordenadas[0], l.coordenadas[1]});
-    return json.pon("motivo", cuadra       ? ""
-                              : anisotropa ? "el filtro anisótropo lee más texels, que no sigo"
-                                           : "no sé de qué texels sale");
+    return json.pon("motivo", cuadra              ? ""
+                              : l.sampler.empty() ? "según desde dónde se llama, es una textura u otra"
+                              : anisotropa        ? "el filtro anisótropo lee más texels, que no sigo"
+                                                  : "no sé de qué texels sale");
 }
 
 } // namespace explica

@@ -47,6 +47,7 @@ SIN_SOSPECHAS = {  # lo que se sospecha, con razón, y aquí es así a propósit
 TALLAS = "960x3", "3x960", "1x1"
 COPIADO = "copiado de otro framebuffer"
 PASAN = "escrito", "profundidad", "mascara"  # los que llegan al test de profundidad
+OTRA_TEXTURA = "no sé de qué texels sale: solo sigo texture y textureLod de un sampler2D"
 ANISOTROPO = "el filtro anisótropo lee más texels, que no sigo"
 PASOS = 4000  # los que apunta, como mucho, sombreado.cpp
 
@@ -168,6 +169,8 @@ def fallos_de_sombreado(explicado):
 
 def fallos_de_lectura(lectura):
     """De una textura: sus texels, con su peso, suman lo leído, y no se dice otra cosa sin decir por qué."""
+    if lectura["motivo"] == OTRA_TEXTURA:
+        return
     texels = lectura.get("texels", [])
     pesos = sum(t["peso"] for t in texels)
     suma = [sum(t["peso"] * t["color"][c] for t in texels) for c in range(4)]
