@@ -64,9 +64,7 @@ bool nombra(const std::string &texto, const std::string &palabra) {
 
 std::vector<Variable> uniformsDe(GLuint programa) {
     std::vector<Variable> variables;
-    GLint n = 0;
-    glGetProgramiv(programa, GL_ACTIVE_UNIFORMS, &n);
-    for (GLint i = 0; i < n; ++i) {
+    for (GLint i = 0; i < contesta(glGetProgramiv, programa, GL_ACTIVE_UNIFORMS); ++i) {
         GLchar nombre[256];
         GLint elementos = 0;
         GLenum tipo = 0;
@@ -87,9 +85,7 @@ std::vector<Variable> uniformsDe(GLuint programa) {
 
 std::vector<Variable> atributosDe(GLuint programa) {
     std::vector<Variable> variables;
-    GLint n = 0;
-    glGetProgramiv(programa, GL_ACTIVE_ATTRIBUTES, &n);
-    for (GLint i = 0; i < n; ++i) {
+    for (GLint i = 0; i < contesta(glGetProgramiv, programa, GL_ACTIVE_ATTRIBUTES); ++i) {
         GLchar nombre[256];
         GLint elementos = 0;
         GLenum tipo = 0;
@@ -103,9 +99,7 @@ std::vector<Variable> atributosDe(GLuint programa) {
 
 std::vector<Bloque> bloquesDe(GLuint programa) {
     std::vector<Bloque> bloques;
-    GLint n = 0;
-    glGetProgramiv(programa, GL_ACTIVE_UNIFORM_BLOCKS, &n);
-    for (GLint i = 0; i < n; ++i) {
+    for (GLint i = 0; i < contesta(glGetProgramiv, programa, GL_ACTIVE_UNIFORM_BLOCKS); ++i) {
         GLchar nombre[256];
         GLint enlace = 0;
         glGetActiveUniformBlockName(programa, GLuint(i), sizeof nombre, nullptr, nombre);
