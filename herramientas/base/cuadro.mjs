@@ -212,7 +212,7 @@ function mallaDe({ malla, primitiva }) {
     malla.triangulos.slice(3 * t, 3 * t + 3).map(i => puntos[i]));
   const minimo = 1e-3 * Math.max(...malla.despues.map(p => Math.abs(p[3])).filter(Number.isFinite));
   const vistas = [['como está en el array', deTres(centrados(malla.antes)), [], [0.5, -0.6]],
-    ['después del vertex shader, dividida por w: se ve lo que cae en el cubo; lo que llega detrás de la cámara, recortado',
+    ['después del vertex shader, dividida por w: se ve lo que cae en el cubo; recortada, la de detrás de la cámara',
       deTres(malla.despues).map(p => delante(p, minimo)), CUBO, [0, 0]]];
   return [h('h2', {}, 'La malla de esa orden'), h('div', { class: 'mallas' },
     vistas.map(vista => unaMalla(primitiva, vista)))];
@@ -399,6 +399,13 @@ function ordenesDe(datos) {
   return { elige, elemento: h('div', { class: 'ordenes' }, h('div', {}, mando, tira), sitio) };
 }
 
+/** De la historia, lo que le da el color: lo último que se escribe en la ventana, si no lo deja como estaba. */
+function quienGana({ historia, sombreado }) {
+  const { orden, primitiva } = sombreado ?? {};
+  return historia.findLast(s => s.orden === orden && s.primitiva === primitiva && !s.framebuffer) ??
+    historia.findLast(s => s.veredicto === 'escrito' && !s.framebuffer);
+}
+
 function resumen(datos, conImagen) {
   const final = datos.ordenes.filter(o => o.framebuffer === 'la ventana' && o.miniatura).at(-1);
   const partes = [];
@@ -406,7 +413,7 @@ function resumen(datos, conImagen) {
     partes.push(h('ul', { class: 'sospechas' }, datos.sospechas.map(s => h('li', {}, `${s.dice}. ${s.prueba} `,
       sitioDe(datos.ordenes.find(o => o.n === s.orden) ?? {}, true)))));
   if (!datos.pixel) return partes;
-  const ultimo = datos.historia.filter(s => s.veredicto === 'escrito' && s.framebuffer === 0).at(-1);
+  const ultimo = quienGana(datos);
   const orden = ultimo && datos.ordenes.find(o => o.n === ultimo.orden);
   const suya = ultimo?.tipo ? `el ${ultimo.tipo} ${ultimo.primitiva} de ` : '';
   const quien = orden && `${suya}la orden ${orden.n}, ${tituloDe(orden)}`;
@@ -431,6 +438,5 @@ export function muestraCuadro(datos, contenedor, { conImagen = true } = {}) {
     lamina(datos.veces.imagen, `Cuántas órdenes cambian cada píxel: en blanco, ${datos.veces.maximo}`)));
   contenedor.classList.add('cuadro-explicado');
   contenedor.replaceChildren(...partes);
-  const escrito = datos.historia.filter(s => s.veredicto === 'escrito').at(-1);
-  elige(escrito?.orden ?? datos.ordenes.at(-1).n);
+  elige(quienGana(datos)?.orden ?? datos.ordenes.at(-1).n);
 }

@@ -115,11 +115,11 @@ void pasa(Cuadro::Pasada pasada, void (*dibuja)()) {
 }
 
 // Lo último que se escribe con una primitiva, si después no se borra: en la ventana o, si lo que llega a ella es una
-// copia, en el framebuffer de que se copia.
-const Suceso *quienGana() {
+// copia, en el framebuffer de que se copia. `cambia`: de lo que cambia algo.
+const Suceso *quienGana(bool cambia) {
     GLuint framebuffer = 0;
     for (auto s = c.sucesos.rbegin(); s != c.sucesos.rend(); ++s) {
-        if (s->framebuffer != framebuffer || s->veredicto != "escrito")
+        if (s->framebuffer != framebuffer || s->veredicto != "escrito" || (cambia && !s->cambia))
             continue;
         if (s->primitiva >= 0)
             return &*s;
@@ -141,9 +141,9 @@ Json explicaPixel(void (*dibuja)(), Punto pedido) {
         c.pixel = enCadaFramebuffer(p);
     pasa(c.PIXEL, dibuja);
     std::tie(c.ordenSombreada, c.primitivaSombreada) = c.que.sombrea;
-    if (!c.ordenSombreada)
-        if (const Suceso *const ganador = quienGana(); ganador)
-            std::tie(c.ordenSombreada, c.primitivaSombreada) = std::pair(ganador->orden, ganador->primitiva);
+    const Suceso *const ganador = quienGana(true) ? quienGana(true) : quienGana(false);
+    if (!c.ordenSombreada && ganador)
+        std::tie(c.ordenSombreada, c.primitivaSombreada) = std::pair(ganador->orden, ganador->primitiva);
     if (c.ordenSombreada)
         pasa(c.SOMBREADO, dibuja);
     const Guardado guardado;

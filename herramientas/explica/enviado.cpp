@@ -154,12 +154,19 @@ std::string sinIndice(const std::string &nombre) {
     return nombre.back() == ']' ? nombre.substr(0, nombre.rfind('[')) : nombre;
 }
 
-// Da a un uniform que en el original no está lo que se le ha enviado.
-void daAusente(const Programa &programa, const Variable &uniform, GLuint otro) {
+// Da a un uniform que en el original no está lo que se le ha enviado. Falso si no se sabe: si no se le ha enviado nada
+// y es 0, es que el programa está a medias.
+bool daAusente(const Programa &programa, const Variable &uniform, GLuint otro) {
+    bool dado = false;
     for (const auto &[nombre, envio] : programa.dados)
-        if (sinIndice(nombre) == sinIndice(uniform.nombre) && admite(uniform.tipo, envio.forma))
+        if (sinIndice(nombre) == sinIndice(uniform.nombre) && admite(uniform.tipo, envio.forma)) {
+            dado = true;
             if (const GLint donde = glGetUniformLocation(otro, nombre.c_str()); donde >= 0)
                 envio.repite(donde);
+        }
+    const std::vector<double> vale = valorDe(otro, uniform); // si nadie se lo da, lo que diga el shader
+    return dado || esSampler(uniform.tipo) ||
+           std::any_of(vale.begin(), vale.end(), [](double x) { return x != 0; });
 }
 
 // De un atributo: si lo dice el programa o su shader, aunque nada lo use.
@@ -254,8 +261,9 @@ Desconocidas daLoEnviado(GLuint original, GLuint otro) {
     const std::vector<Variable> uniforms = uniformsDe(otro);
     Desconocidas d;
     for (const Variable &v : uniforms)
-        if (!suyas.count(v.nombre))
-            daAusente(programas[original], v, otro);
+        if (v.nombre.compare(0, 8, "explica_") && !suyas.count(v.nombre) &&
+            !daAusente(programas[original], v, otro))
+            d.uniforms.push_back(v);
     for (const Variable &v : atributosDe(otro))
         if (!suyas.count(v.nombre) && !seSabeDonde(original, v.nombre))
             d.atributos.push_back(v);
@@ -270,14 +278,17 @@ Desconocidas daLoEnviado(GLuint original, GLuint otro) {
 std::string Desconocidas::motivo() const {
     std::string nombres;
     const auto anade = [&](const std::string &n) { nombres += (nombres.empty() ? "«" : "», «") + n; };
-    for (const Variable &v : atributos)
-        anade(v.nombre);
+    for (const auto &variables : {uniforms, atributos})
+        for (const Variable &v : variables)
+            anade(v.nombre);
     if (!otra.empty())
         anade(otra);
     return "depende de lo que el programa aún no usa (" + nombres + "»), y de ello OpenGL no guarda el valor";
 }
 
 void Desconocidas::pon(bool otro) const {
+    for (const Variable &v : uniforms)
+        daOtroValor(v);
     for (const Variable &v : atributos)
         glVertexAttrib4f(GLuint(v.donde), otro ? 0.3f : 0, otro ? 0.7f : 0, otro ? 0.45f : 0,
                          otro ? 0.8f : 1);

@@ -24,12 +24,12 @@ bool ataComo(GLuint original, GLuint programa);
 
 /// Lo que en el original no está, porque nada lo usa, y no se sabe qué vale.
 struct Desconocidas {
-    std::vector<Variable> atributos;
+    std::vector<Variable> uniforms, atributos;
     std::string otra; // un sampler o un bloque, si lo hay
 
     /// Por qué lo que depende de ello no se dice.
     std::string motivo() const;
-    /// A los atributos, otro valor; no vienen de un array: quedan como estaban si no es `otro`.
+    /// A todo, otro valor; los atributos, que no vienen de un array, quedan como estaban si no es `otro`.
     void pon(bool otro) const;
 };
 

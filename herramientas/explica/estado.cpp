@@ -171,6 +171,17 @@ std::vector<float> leeColores(const Lienzo &l, int x, int y, int ancho, int alto
     return rgba;
 }
 
+std::vector<Pixel> coloresAparte(int x, int y, int ancho, int alto, const std::function<void()> &dibuja) {
+    std::vector<Pixel> colores(std::size_t(ancho) * std::size_t(alto));
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glDisable(GL_BLEND);
+    glClearBufferfv(GL_COLOR, 0, NINGUNO.data());
+    dibuja();
+    glReadBuffer(GL_COLOR_ATTACHMENT0);
+    glReadPixels(x, y, ancho, alto, GL_RGBA, GL_FLOAT, colores.data());
+    return colores;
+}
+
 Color leeColor(const Lienzo &l, int x, int y) {
     const std::vector<float> rgba = leeColores(l, x, y, 1, 1);
     Color color;

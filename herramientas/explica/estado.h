@@ -10,6 +10,8 @@
 namespace explica {
 
 using Color = std::array<double, 4>; // de 0 a 255, o lo que haya si es de float
+using Pixel = std::array<float, 4>;
+const Pixel NINGUNO = {-12345, 0, 0, -1}; // el color que no da ningún shader
 
 /// Lo que se cambia vuelve a ser lo que era al destruirse.
 class Guardado {
@@ -66,6 +68,9 @@ bool hayRespuestas(); // si se puede saber ya
 /// Pone donde se dibuja un framebuffer en float, de esa talla y con profundidad de los mismos bits, que de ellos
 /// depende glPolygonOffset; y lo que hay en él. Hay que tener un Guardado.
 void abreAparte(const Lienzo &lienzo);
+
+/// Lo que da el shader en un rectángulo de ese framebuffer, sin mezclar ni acotar; NINGUNO donde no dibuja nada.
+std::vector<Pixel> coloresAparte(int x, int y, int ancho, int alto, const std::function<void()> &dibuja);
 float profundidadAparte(int x, int y);
 
 int bitsDe(GLenum objetivo, GLenum adjunto, GLenum cual);

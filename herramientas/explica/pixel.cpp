@@ -94,7 +94,7 @@ bool soloEsa(const Pregunta &q, const Pinta &pinta, const std::string &prueba) {
 }
 
 struct Fragmento {
-    std::array<float, 4> color;
+    Pixel color;
     float profundidad;
 };
 
@@ -103,17 +103,10 @@ std::optional<Fragmento> fragmentoDe(const Pregunta &q, const Pinta &pinta) {
     const Guardado guardado;
     abreAparte(q.lienzo);
     soloPregunta(q.pixel);
-    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glDepthMask(GL_TRUE);
-    glDisable(GL_BLEND);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_ALWAYS);
-    const std::array<float, 4> NINGUNO = {-12345, 0, 0, -1}; // el color que no da ningún shader
-    glClearBufferfv(GL_COLOR, 0, NINGUNO.data());
-    pinta();
-    Fragmento f{};
-    glReadBuffer(GL_COLOR_ATTACHMENT0);
-    glReadPixels(q.pixel.x, q.pixel.y, 1, 1, GL_RGBA, GL_FLOAT, f.color.data());
+    Fragmento f{coloresAparte(q.pixel.x, q.pixel.y, 1, 1, pinta)[0], 0};
     if (f.color == NINGUNO)
         return {};
     f.profundidad = profundidadAparte(q.pixel.x, q.pixel.y);
@@ -253,7 +246,7 @@ Suceso hazPrimitiva(const Pregunta &q, const Sueltas &s, int numero, int cual, c
     if (que == "escrito" && antes.color && despues.color && !q.lienzo.muestras) {
         const auto [suya, cuadra] = mezcla(*f, *antes.color, *despues.color, q.lienzo);
         if (cuadra || !EN_WEB || !entero(GL_SAMPLES)) // si la ventana tiene muestras, puede cubrirlo en parte
-            json.pon("mezcla", suya);
+            json.pon("mezcla", suya), hecho.cambia = antes.color != despues.color || !glIsEnabled(GL_BLEND);
     }
     return hecho;
 }

@@ -192,7 +192,7 @@ std::vector<Traza> apuntadas(const Reescribible &r, const Ejecuta &ejecuta) {
 template<class Ejecuta>
 std::vector<Traza> trazas(const Reescribible &r, const Ejecuta &ejecuta) {
     std::vector<Traza> todas = apuntadas(r, ejecuta);
-    if (r.desconocidas.atributos.empty())
+    if (r.desconocidas.uniforms.empty() && r.desconocidas.atributos.empty())
         return todas;
     r.desconocidas.pon(true);
     const std::vector<Traza> otras = apuntadas(r, ejecuta);

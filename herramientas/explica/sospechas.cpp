@@ -13,29 +13,18 @@ namespace {
 const int SEGURO = 2, SI_NO_SE_VE_NADA = 1; // con la ventana lisa se dice todo
 const int MUCHAS = 40;                      // órdenes: de las que siguen no se miran los colores
 
-// Los colores que da el shader donde se ve lo que dibuja, sin mezclar ni acotar, fila a fila desde abajo; NINGUNO donde
-// no dibuja nada.
-using Pixel = std::array<float, 4>;
-const Pixel NINGUNO = {-12345, 0, 0, -1};
-
+// Los colores que da el shader donde se ve lo que dibuja, fila a fila desde abajo.
 std::vector<Pixel> coloresDe(const Orden &o, const Lienzo &l) {
     const Guardado g;
     abreAparte(l);
     glDisable(GL_SCISSOR_TEST);
     glDisable(GL_STENCIL_TEST);
-    glDisable(GL_BLEND);
-    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glDepthMask(GL_TRUE);
-    glClearBufferfv(GL_COLOR, 0, NINGUNO.data());
     if (l.bitsProfundidad)
         deVerdad().borra(GL_DEPTH_BUFFER_BIT);
     else
         glDisable(GL_DEPTH_TEST);
-    o.hazla();
-    std::vector<Pixel> colores(std::size_t(l.ancho) * std::size_t(l.alto));
-    glReadBuffer(GL_COLOR_ATTACHMENT0);
-    glReadPixels(0, 0, l.ancho, l.alto, GL_RGBA, GL_FLOAT, colores.data());
-    return colores;
+    return coloresAparte(0, 0, l.ancho, l.alto, o.hazla);
 }
 
 // Si lo que dibuja depende de ese uniform.

@@ -14,6 +14,13 @@ namespace {
 const double IGUAL = 1.1 / 255,
              CONTRASTE = 1.0 / 128; // lo que se puede apartar: los pesos pueden ser de 8 bits
 
+GLint parametro(GLenum cual) {
+    return contesta(glGetTexParameteriv, GL_TEXTURE_2D, cual);
+}
+GLint delNivel(GLint nivel, GLenum cual) {
+    return contesta(glGetTexLevelParameteriv, GL_TEXTURE_2D, nivel, cual);
+}
+
 bool esAnisotropa() {
     static const bool hay = [] {
         for (GLint i = 0; i < entero(GL_NUM_EXTENSIONS); ++i)
@@ -22,7 +29,7 @@ bool esAnisotropa() {
                 return true;
         return false;
     }();
-    return hay && contesta(glGetTexParameteriv, GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT) > 1;
+    return hay && parametro(GL_TEXTURE_MAX_ANISOTROPY_EXT) > 1;
 }
 
 using Valor = std::array<double, 4>;
@@ -36,7 +43,7 @@ class Texels {
 public:
     Texels()
         : textura(GLuint(entero(GL_TEXTURE_BINDING_2D))),
-          profundidad(contesta(glGetTexLevelParameteriv, GL_TEXTURE_2D, 0, GL_TEXTURE_DEPTH_SIZE) > 0) {
+          profundidad(delNivel(0, GL_TEXTURE_DEPTH_SIZE) > 0) {
         glGenFramebuffers(1, &marco);
     }
     ~Texels() {
@@ -82,18 +89,14 @@ struct Mezcla {
 
 // Con un píxel que abarca rho texels. `aprisa`: con los dos niveles solo cerca de donde pesan lo mismo, como Mesa.
 Mezcla mezclaDe(double rho, double mas, bool aprisa) {
-    const GLint reduce = contesta(glGetTexParameteriv, GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER),
-                amplia = contesta(glGetTexParameteriv, GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER);
-    const int base = contesta(glGetTexParameteriv, GL_TEXTURE_2D, GL_TEXTURE_BASE_LEVEL),
-              tope = contesta(glGetTexParameteriv, GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL);
+    const GLint reduce = parametro(GL_TEXTURE_MIN_FILTER), amplia = parametro(GL_TEXTURE_MAG_FILTER);
+    const int base = parametro(GL_TEXTURE_BASE_LEVEL), tope = parametro(GL_TEXTURE_MAX_LEVEL);
     int ultimo = base;
-    for (int talla = std::max(contesta(glGetTexLevelParameteriv, GL_TEXTURE_2D, base, GL_TEXTURE_WIDTH),
-                              contesta(glGetTexLevelParameteriv, GL_TEXTURE_2D, base, GL_TEXTURE_HEIGHT));
-         talla > 1; talla /= 2)
+    for (int talla = std::max(delNivel(base, GL_TEXTURE_WIDTH), delNivel(base, GL_TEXTURE_HEIGHT)); talla > 1;
+         talla /= 2)
         ultimo = std::min(ultimo + 1, tope);
-    const double lambda = std::clamp(
-        std::log2(rho) + mas, double(contesta(glGetTexParameteriv, GL_TEXTURE_2D, GL_TEXTURE_MIN_LOD)),
-        double(contesta(glGetTexParameteriv, GL_TEXTURE_2D, GL_TEXTURE_MAX_LOD)));
+    const double lambda = std::clamp(std::log2(rho) + mas, double(parametro(GL_TEXTURE_MIN_LOD)),
+                                     double(parametro(GL_TEXTURE_MAX_LOD)));
     const bool deCerca = reduce == GL_NEAREST_MIPMAP_NEAREST || reduce == GL_NEAREST_MIPMAP_LINEAR;
     if (!(lambda > (amplia == GL_LINEAR && deCerca ? 0.5 : 0)))
         return {lambda, amplia, {{base, 1}}};
@@ -149,13 +152,11 @@ std::optional<Suma> sumaDe(const Mezcla &m, const Lectura &l, Texels &texels) {
     Suma s{m, {}};
     const bool lineal =
         m.filtro == GL_LINEAR || m.filtro == GL_LINEAR_MIPMAP_NEAREST || m.filtro == GL_LINEAR_MIPMAP_LINEAR;
-    const GLint repite[] = {contesta(glGetTexParameteriv, GL_TEXTURE_2D, GL_TEXTURE_WRAP_S),
-                            contesta(glGetTexParameteriv, GL_TEXTURE_2D, GL_TEXTURE_WRAP_T)};
+    const GLint repite[] = {parametro(GL_TEXTURE_WRAP_S), parametro(GL_TEXTURE_WRAP_T)};
     GLfloat borde[4];
     glGetTexParameterfv(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, borde);
     for (const auto &[nivel, deNivel] : m.niveles) {
-        const int talla[] = {contesta(glGetTexLevelParameteriv, GL_TEXTURE_2D, nivel, GL_TEXTURE_WIDTH),
-                             contesta(glGetTexLevelParameteriv, GL_TEXTURE_2D, nivel, GL_TEXTURE_HEIGHT)};
+        const int talla[] = {delNivel(nivel, GL_TEXTURE_WIDTH), delNivel(nivel, GL_TEXTURE_HEIGHT)};
         int primero[2];
         double resto[2];
         for (std::size_t k = 0; k < 2; ++k) {
@@ -187,8 +188,7 @@ std::optional<Suma> sumaDe(const Mezcla &m, const Lectura &l, Texels &texels) {
 // La que mejor da lo leído, de las que deja OpenGL: con cuántos texels abarca un píxel de verdad o aprisa.
 std::optional<Suma> laMejor(const Lectura &l) {
     Texels texels;
-    const double ancho = contesta(glGetTexLevelParameteriv, GL_TEXTURE_2D, 0, GL_TEXTURE_WIDTH),
-                 alto = contesta(glGetTexLevelParameteriv, GL_TEXTURE_2D, 0, GL_TEXTURE_HEIGHT);
+    const double ancho = delNivel(0, GL_TEXTURE_WIDTH), alto = delNivel(0, GL_TEXTURE_HEIGHT);
     const double ux = l.derivadas[0] * ancho, vx = l.derivadas[1] * alto, uy = l.derivadas[2] * ancho,
                  vy = l.derivadas[3] * alto;
     const double exacta = std::max(std::hypot(ux, vx), std::hypot(uy, vy));
@@ -231,7 +231,7 @@ Json deLectura(GLuint programa, const Lectura &l) {
     if (suyo != uniforms.end() && suyo->tipo == GL_SAMPLER_2D) {
         const GLint antes = entero(GL_ACTIVE_TEXTURE);
         glActiveTexture(GLenum(GL_TEXTURE0 + GLint(valorDe(programa, *suyo)[0])));
-        if (contesta(glGetTexLevelParameteriv, GL_TEXTURE_2D, 0, GL_TEXTURE_WIDTH) > 0)
+        if (delNivel(0, GL_TEXTURE_WIDTH) > 0)
             suma = laMejor(l), anisotropa = esAnisotropa();
         glActiveTexture(GLenum(antes));
     }

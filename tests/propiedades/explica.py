@@ -103,8 +103,12 @@ def fallos_de_mascara(suceso, canales):
 
 
 def quien_gana(historia):
-    """La orden y la primitiva de que viene el color de la ventana: si lo último es una copia, de antes, en el otro."""
+    """La orden y la primitiva de que viene el color de la ventana: si lo último es una copia, de antes, en el otro.
+    Lo que se mezcla y no cambia nada no cuenta, si hay otra cosa."""
     lienzo = 0
+    de_verdad = [s for s in historia if not s.get("mezcla", {}).get("si") or s["antes"] != s["despues"]]
+    if len(de_verdad) < len(historia) and quien_gana(de_verdad)[1] is not None:
+        return quien_gana(de_verdad)
     for suceso in reversed(historia):
         if suceso["framebuffer"] != lienzo or suceso["veredicto"] != "escrito":
             continue
@@ -169,14 +173,13 @@ def fallos_de_sombreado(explicado):
 
 def fallos_de_lectura(lectura):
     """De una textura: sus texels, con su peso, suman lo leído, y no se dice otra cosa sin decir por qué."""
-    if lectura["motivo"] == OTRA_TEXTURA:
-        return
     texels = lectura.get("texels", [])
     pesos = sum(t["peso"] for t in texels)
     suma = [sum(t["peso"] * t["color"][c] for t in texels) for c in range(4)]
     contraste = max((max(c) - min(c) for c in zip(*(t["color"] for t in texels))), default=0)
     lejos = distancia(suma, lectura["valor"]) > 1.1 / 255 + contraste / 128 + 1e-6 if texels else True
-    if lejos != bool(lectura["motivo"]) or lectura["motivo"] not in ("", ANISOTROPO) or abs(pesos - 1) > 1e-5:
+    sabido = lectura["motivo"] in ("", ANISOTROPO) and abs(pesos - 1) <= 1e-5 or lectura["motivo"] == OTRA_TEXTURA
+    if lejos != bool(lectura["motivo"]) or not sabido:
         yield f"{lectura['escrito']} da {lectura['valor']}, y de pesos {pesos}, {suma}: {lectura['motivo']}"
 
 
