@@ -120,15 +120,20 @@ function lecturaDe({ escrito, motivo, filtro, lambda, niveles, texels, suma, val
 /** Cada línea de un shader y, a su lado, lo que vale lo que se calcula en ella; en gris, las que no se ejecutan. */
 function fuenteDe(fuente, traza, lecturas = []) {
   const pasa = new Map(fuente.map((_, i) => [i + 1, []]));
-  for (const l of traza.lineas) pasa.get(l.en)?.push(l);
+  const veces = {}; // de cada función, las que se ha entrado
+  for (const l of traza.lineas) {
+    if (l.clase === 'entra') veces[l.funcion] = (veces[l.funcion] ?? 0) + 1;
+    pasa.get(l.en)?.push({ ...l, vez: veces[l.funcion] });
+  }
   const podia = new Set(traza.apuntables), perdidas = new Map(traza.sinSeguir.map(a => [a.en, a.motivo]));
   const primera = traza.lineas.find(l => noNumero(l.valor));
   const principal = fuente.at(-1)?.fichero;
   let fichero, plegadas;
   const filas = fuente.flatMap((linea, i) => {
-    const suyas = pasa.get(i + 1), veces = suyas.filter(l => l.valor.length || ESCRITO[l.clase]).slice(0, 12);
+    const suyas = pasa.get(i + 1), dichas = suyas.filter(l => l.valor.length || ESCRITO[l.clase]).slice(0, 12);
     const clase = primera && primera.en === i + 1 ? 'rara' : podia.has(i + 1) && !suyas.length ? 'no-se-ejecuta' : '';
-    const valores = veces.map(l => h('span', { class: 'apunte' }, ESCRITO[l.clase] ?? [`${l.nombre} = `, valorDe(l)]));
+    const valores = dichas.map(l => h('span', { class: 'apunte' }, veces[l.funcion] > 1 ? `${l.vez}.ª vez: ` : '',
+      ESCRITO[l.clase] ?? [`${l.nombre} = `, valorDe(l)]));
     const mas = suyas.length > 12 ? ` … ${suyas.length} en total` : '';
     const perdida = perdidas.has(i + 1) ? h('i', {}, `no sé seguir esta línea: ${perdidas.get(i + 1)}`) : '';
     const texto = h('td', {}, h('code', {}, linea.texto));
