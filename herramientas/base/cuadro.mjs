@@ -93,7 +93,7 @@ const noNumero = valores => !valores.every(Number.isFinite);
 
 function valorDe({ tipo, valor }) {
   const matriz = /^mat(\d)(?:x(\d))?$/.exec(tipo);
-  if (!valor.length) return '';
+  if (!valor.length) return 'no se sabe';
   const escrito = tipo === 'bool' ? (valor[0] ? 'sí' : 'no') : vector(valor);
   if (!matriz) return h('span', { class: noNumero(valor) ? 'malo' : '' }, escrito);
   const columnas = Number(matriz[1]), filas = valor.length / columnas;
