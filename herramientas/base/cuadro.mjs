@@ -56,6 +56,9 @@ function mezclaDe(mezcla) {
   return h('span', { class: 'mezcla' }, suma, mezcla.cuadra ? '' : h('b', { class: 'malo' }, ' no es lo que queda'));
 }
 
+const tabla = (clase, titulos, ...filas) => h('div', { class: 'tabla' }, h('table', { class: clase },
+  h('thead', {}, h('tr', {}, titulos.map(texto => h('th', {}, texto)))), h('tbody', {}, ...filas)));
+
 function historia(datos, elige) {
   const ordenes = new Map(datos.ordenes.map(o => [o.n, o]));
   const fila = suceso => {
@@ -71,9 +74,7 @@ function historia(datos, elige) {
       h('td', {}, /escrito|ajeno/.test(suceso.veredicto) ? conMuestra(suceso.despues) : ''));
   };
   const cabecera = ['orden', '', '', 'da el shader', 'profundidad', 'qué pasa', 'queda'];
-  const tabla = h('table', { class: 'historia sucesos' },
-    h('thead', {}, h('tr', {}, cabecera.map(texto => h('th', {}, texto)))), h('tbody', {}, datos.historia.map(fila)));
-  return h('div', { class: 'tabla' }, tabla);
+  return tabla('historia sucesos', cabecera, datos.historia.map(fila));
 }
 
 /** Lo que habría estado ahí si no fuera por una prueba, de más cerca a más lejos; si nada, qué órdenes no dibujan. */
@@ -92,7 +93,7 @@ const noNumero = valores => !valores.every(Number.isFinite);
 
 function valorDe({ tipo, valor }) {
   const matriz = /^mat(\d)(?:x(\d))?$/.exec(tipo);
-  if (!valor.length) return '';
+  if (!valor.length) return 'no se sabe';
   const escrito = tipo === 'bool' ? (valor[0] ? 'sí' : 'no') : vector(valor);
   if (!matriz) return h('span', { class: noNumero(valor) ? 'malo' : '' }, escrito);
   const columnas = Number(matriz[1]), filas = valor.length / columnas;
@@ -119,15 +120,20 @@ function lecturaDe({ escrito, motivo, filtro, lambda, niveles, texels, suma, val
 /** Cada línea de un shader y, a su lado, lo que vale lo que se calcula en ella; en gris, las que no se ejecutan. */
 function fuenteDe(fuente, traza, lecturas = []) {
   const pasa = new Map(fuente.map((_, i) => [i + 1, []]));
-  for (const l of traza.lineas) pasa.get(l.en)?.push(l);
+  const veces = {}; // de cada función, las que se ha entrado
+  for (const l of traza.lineas) {
+    if (l.clase === 'entra') veces[l.funcion] = (veces[l.funcion] ?? 0) + 1;
+    pasa.get(l.en)?.push({ ...l, vez: veces[l.funcion] });
+  }
   const podia = new Set(traza.apuntables), perdidas = new Map(traza.sinSeguir.map(a => [a.en, a.motivo]));
   const primera = traza.lineas.find(l => noNumero(l.valor));
   const principal = fuente.at(-1)?.fichero;
   let fichero, plegadas;
   const filas = fuente.flatMap((linea, i) => {
-    const suyas = pasa.get(i + 1), veces = suyas.filter(l => l.valor.length || ESCRITO[l.clase]).slice(0, 12);
+    const suyas = pasa.get(i + 1), dichas = suyas.filter(l => l.valor.length || ESCRITO[l.clase]).slice(0, 12);
     const clase = primera && primera.en === i + 1 ? 'rara' : podia.has(i + 1) && !suyas.length ? 'no-se-ejecuta' : '';
-    const valores = veces.map(l => h('span', { class: 'apunte' }, ESCRITO[l.clase] ?? [`${l.nombre} = `, valorDe(l)]));
+    const valores = dichas.map(l => h('span', { class: 'apunte' }, veces[l.funcion] > 1 ? `${l.vez}.ª vez: ` : '',
+      ESCRITO[l.clase] ?? [`${l.nombre} = `, valorDe(l)]));
     const mas = suyas.length > 12 ? ` … ${suyas.length} en total` : '';
     const perdida = perdidas.has(i + 1) ? h('i', {}, `no sé seguir esta línea: ${perdidas.get(i + 1)}`) : '';
     const texto = h('td', {}, h('code', {}, linea.texto));
@@ -152,7 +158,7 @@ function interpolacion(sombreado) {
   const salidas = vertice => new Map(vertice.lineas.filter(l => l.clase === 'salida').map(l => [l.nombre, l]));
   const suyas = sombreado.vertices.map(salidas);
   const nombres = [...(suyas[0]?.keys() ?? [])];
-  const titulos = ['', ...sombreado.vertices.map(v => `vértice ${v.indice}`), 'en el píxel'].map(t => h('th', {}, t));
+  const titulos = ['', ...sombreado.vertices.map(v => `vértice ${v.indice}`), 'en el píxel'];
   const peso = (titulo, pesos) => pesos && h('tr', {}, h('th', {}, titulo), pesos.map(p => h('td', {}, cifra(p))));
   const fila = nombre => {
     const entrada = sombreado.entradas?.find(e => e.nombre === nombre);
@@ -161,8 +167,7 @@ function interpolacion(sombreado) {
       h('td', {}, entrada ? vector(entrada.valor) : ''));
   };
   const pesos = [peso('lo que pesa', sombreado.pesos), peso('sin perspectiva', sombreado.pesosSinPerspectiva)];
-  return h('div', { class: 'tabla' }, h('table', { class: 'historia' }, h('thead', {}, h('tr', {}, titulos)),
-    h('tbody', {}, nombres.map(fila), pesos)));
+  return tabla('historia', titulos, nombres.map(fila), pesos);
 }
 
 function sombreadoDe(datos) {
@@ -184,7 +189,8 @@ function sombreadoDe(datos) {
 }
 
 const LADO = 260; // de cada lienzo de una malla
-const CUBO = [0, 1, 2, 3, 4, 5, 6, 7].map(i => [i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1]);
+const CUBO = [[0, 1, 3, 2], [4, 5, 7, 6], [0, 1, 5, 4], [2, 3, 7, 6]].map(cara =>
+  cara.map(i => [i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1]));
 
 /** Puntos en una caja de −1 a 1 alrededor de su centro. */
 function centrados(puntos) {
@@ -194,18 +200,30 @@ function centrados(puntos) {
   return puntos.map(p => p.map((v, k) => (v - (a[k] + b[k]) / 2) / radio));
 }
 
+/** Lo que de un polígono queda delante de la cámara, donde w pasa de un mínimo, y dividido por ella; z, hacia aquí. */
+function delante(poligono, minimo) {
+  const salen = poligono.flatMap((p, i) => {
+    const q = poligono[(i + 1) % poligono.length], t = (minimo - p[3]) / (q[3] - p[3]);
+    const corte = (p[3] > minimo) === (q[3] > minimo) ? [] : [p.map((v, k) => v + t * (q[k] - v))];
+    return p[3] > minimo ? [p, ...corte] : corte;
+  });
+  return salen.map(([x, y, z, w]) => [x / w, y / w, -z / w]);
+}
+
 /** La malla de la orden antes y después del vertex shader, con el triángulo del píxel; se gira arrastrando. */
 function mallaDe({ malla, primitiva }) {
   if (!malla?.antes) return [];
-  const despues = malla.despues.map(([x, y, z, w]) => (w > 0 ? [x / w, y / w, -z / w] : undefined)); // z, hacia aquí
-  const vistas = [['como está en el array', centrados(malla.antes), [], [0.5, -0.6]],
-    ['después del vertex shader, dividida por w: se ve lo que cae en el cubo; sin lo que llega detrás de la cámara',
-      despues, CUBO, [0, 0]]];
+  const deTres = puntos => Array.from({ length: malla.triangulos.length / 3 }, (_, t) =>
+    malla.triangulos.slice(3 * t, 3 * t + 3).map(i => puntos[i]));
+  const minimo = 1e-3 * Math.max(...malla.despues.map(p => Math.abs(p[3])).filter(Number.isFinite));
+  const vistas = [['como está en el array', deTres(centrados(malla.antes)), [], [0.5, -0.6]],
+    ['después del vertex shader, dividida por w: se ve lo que cae en el cubo; recortada, la de detrás de la cámara',
+      deTres(malla.despues).map(p => delante(p, minimo)), CUBO, [0, 0]]];
   return [h('h2', {}, 'La malla de esa orden'), h('div', { class: 'mallas' },
-    vistas.map(vista => unaMalla(malla.triangulos, primitiva, vista)))];
+    vistas.map(vista => unaMalla(primitiva, vista)))];
 }
 
-function unaMalla(triangulos, primitiva, [texto, puntos, cubo, giro]) {
+function unaMalla(primitiva, [texto, poligonos, cubo, giro]) {
   const lienzo = h('canvas', { width: 2 * LADO, height: 2 * LADO, title: 'Se gira arrastrando' });
   const aqui = ([x, y, z]) => {
     const [[ca, sa], [cb, sb]] = giro.map(g => [Math.cos(g), Math.sin(g)]);
@@ -215,28 +233,22 @@ function unaMalla(triangulos, primitiva, [texto, puntos, cubo, giro]) {
   const pinta = () => {
     const c = lienzo.getContext('2d'), color = getComputedStyle(lienzo).color;
     c.clearRect(0, 0, 2 * LADO, 2 * LADO);
-    const traza = (indices, lista) => {
+    const traza = puntos => {
       c.beginPath();
-      for (const i of indices) c.lineTo(...aqui(lista[i]));
+      for (const p of puntos) c.lineTo(...aqui(p));
       c.closePath();
+      c.stroke();
     };
     c.strokeStyle = color;
-    for (const cara of cubo.length ? [[0, 1, 3, 2], [4, 5, 7, 6], [0, 1, 5, 4], [2, 3, 7, 6]] : []) {
-      c.globalAlpha = 0.7;
-      traza(cara, cubo);
-      c.stroke();
-    }
-    c.globalAlpha = 0.25;
-    for (let t = 0; t < triangulos.length; t += 3) {
-      const tres = triangulos.slice(t, t + 3), suyo = t === 3 * primitiva;
-      if (!tres.every(i => puntos[i]?.every(Number.isFinite))) continue;
-      traza(tres, puntos);
-      c.stroke();
-      if (!suyo) continue;
+    c.globalAlpha = 0.7;
+    for (const cara of cubo) traza(cara);
+    for (const [t, poligono] of poligonos.entries()) {
+      if (!poligono.length || !poligono.flat().every(Number.isFinite)) continue;
+      c.globalAlpha = 0.25;
+      traza(poligono);
       c.globalAlpha = 1;
       c.fillStyle = '#f08c00';
-      c.fill();
-      c.globalAlpha = 0.25;
+      if (t === primitiva) c.fill();
     }
   };
   lienzo.addEventListener('pointermove', e => {
@@ -392,6 +404,13 @@ function ordenesDe(datos) {
   return { elige, elemento: h('div', { class: 'ordenes' }, h('div', {}, mando, tira), sitio) };
 }
 
+/** De la historia, lo que le da el color: lo último que se escribe en la ventana, si no lo deja como estaba. */
+function quienGana({ historia, sombreado }) {
+  const { orden, primitiva } = sombreado ?? {};
+  return historia.findLast(s => s.orden === orden && s.primitiva === primitiva && !s.framebuffer) ??
+    historia.findLast(s => s.veredicto === 'escrito' && !s.framebuffer);
+}
+
 function resumen(datos, conImagen) {
   const final = datos.ordenes.filter(o => o.framebuffer === 'la ventana' && o.miniatura).at(-1);
   const partes = [];
@@ -399,7 +418,7 @@ function resumen(datos, conImagen) {
     partes.push(h('ul', { class: 'sospechas' }, datos.sospechas.map(s => h('li', {}, `${s.dice}. ${s.prueba} `,
       sitioDe(datos.ordenes.find(o => o.n === s.orden) ?? {}, true)))));
   if (!datos.pixel) return partes;
-  const ultimo = datos.historia.filter(s => s.veredicto === 'escrito' && s.framebuffer === 0).at(-1);
+  const ultimo = quienGana(datos);
   const orden = ultimo && datos.ordenes.find(o => o.n === ultimo.orden);
   const suya = ultimo?.tipo ? `el ${ultimo.tipo} ${ultimo.primitiva} de ` : '';
   const quien = orden && `${suya}la orden ${orden.n}, ${tituloDe(orden)}`;
@@ -424,6 +443,5 @@ export function muestraCuadro(datos, contenedor, { conImagen = true } = {}) {
     lamina(datos.veces.imagen, `Cuántas órdenes cambian cada píxel: en blanco, ${datos.veces.maximo}`)));
   contenedor.classList.add('cuadro-explicado');
   contenedor.replaceChildren(...partes);
-  const escrito = datos.historia.filter(s => s.veredicto === 'escrito').at(-1);
-  elige(escrito?.orden ?? datos.ordenes.at(-1).n);
+  elige(quienGana(datos)?.orden ?? datos.ordenes.at(-1).n);
 }

@@ -61,6 +61,7 @@ file(GENERATE OUTPUT ${enlaces}/programas.inc CONTENT "${indice}")
 # Quien explica, delante de OpenGL. Es lo único que lanza excepciones, al reescribir un shader.
 include(${CMAKE_SOURCE_DIR}/herramientas/explica/reescritor.cmake)
 set_target_properties(reescritor PROPERTIES POSITION_INDEPENDENT_CODE OFF)
+target_include_directories(reescritor PRIVATE ${enlaces})
 target_compile_options(reescritor PRIVATE -fexceptions)
 add_library(explica STATIC
   ${carpeta}/arrays.cpp ${carpeta}/cableado.cpp ${carpeta}/cuadro.cpp ${carpeta}/enviado.cpp ${carpeta}/estado.cpp ${carpeta}/imagenes.cpp

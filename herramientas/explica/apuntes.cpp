@@ -30,6 +30,11 @@ Reescrito Reescritor::hace() {
     std::string cuerpoDelShader;
     while (ahora().clase != Palabra::Fin)
         cuerpoDelShader += global() + "\n";
+    for (Nota &nota : r.notas)
+        if (nota.clase == Clase::Lee && nota.nombre.find('/') != nota.nombre.npos && nota.tipo == "vec4") {
+            const std::set<std::string> texturas = deDonde(nota.nombre, 20);
+            nota.nombre = texturas.size() == 1 ? *texturas.begin() : "";
+        }
     const bool enES = cabeceraDelShader.find(" es\n") != std::string::npos;
     r.fuente = cabeceraDelShader;
     if (fragmento && !enES)

@@ -108,9 +108,7 @@ std::vector<Dicho> deArrays(const Cableado &c, const Orden &o, const std::vector
             dichos.push_back(d);
     };
     const GLint ebo = entero(GL_ELEMENT_ARRAY_BUFFER_BINDING);
-    GLint hay = 0;
-    if (ebo)
-        glGetBufferParameteriv(GL_ELEMENT_ARRAY_BUFFER, GL_BUFFER_SIZE, &hay);
+    const GLint hay = ebo ? contesta(glGetBufferParameteriv, GL_ELEMENT_ARRAY_BUFFER, GL_BUFFER_SIZE) : 0;
     if (o.tipoIndice != GL_NONE && !ebo)
         return {{"se dibuja con índices y el VAO no tiene ningún buffer de índices",
                  "Falta glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, …) con su VAO enlazado."}};
@@ -124,9 +122,8 @@ std::vector<Dicho> deArrays(const Cableado &c, const Orden &o, const std::vector
         return dichos;
     std::vector<Atributo> suyos;
     for (const Atributo &a : c.atributos) {
-        GLint divisor = 0;
-        glGetVertexAttribiv(GLuint(a.variable.donde), GL_VERTEX_ATTRIB_ARRAY_DIVISOR, &divisor);
-        if (a.activo && a.bufer && !divisor)
+        const auto donde = GLuint(a.variable.donde);
+        if (a.activo && a.bufer && !contesta(glGetVertexAttribiv, donde, GL_VERTEX_ATTRIB_ARRAY_DIVISOR))
             suyos.push_back(a);
     }
     const auto vertices = std::intptr_t(*std::max_element(indices.begin(), indices.end())) + 1;

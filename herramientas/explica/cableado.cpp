@@ -11,12 +11,6 @@ namespace {
 
 const GLsizeiptr MUESTRA = 65536; // vértices que se miran, como mucho
 
-GLint delAtributo(GLuint donde, GLenum cual) {
-    GLint valor = 0;
-    glGetVertexAttribiv(donde, cual, &valor);
-    return valor;
-}
-
 using Bytes = std::vector<unsigned char>;
 
 // FNV-1a, de 64 bits.
@@ -32,8 +26,7 @@ std::string sumaDe(const Bytes &bytes) {
 Bytes deBufer(GLint bufer) {
     const GLint antes = entero(GL_COPY_READ_BUFFER_BINDING);
     glBindBuffer(GL_COPY_READ_BUFFER, GLuint(bufer));
-    GLint ocupa = 0;
-    glGetBufferParameteriv(GL_COPY_READ_BUFFER, GL_BUFFER_SIZE, &ocupa);
+    const GLint ocupa = contesta(glGetBufferParameteriv, GL_COPY_READ_BUFFER, GL_BUFFER_SIZE);
     Bytes bytes(std::size_t(std::max(ocupa, 0)));
     glGetBufferSubData(GL_COPY_READ_BUFFER, 0, ocupa, bytes.data());
     glBindBuffer(GL_COPY_READ_BUFFER, GLuint(antes));
@@ -55,7 +48,7 @@ std::string sumaDe(const Atributo &a) {
 void leePrimeros(Atributo &a) {
     const GLint antes = entero(GL_COPY_READ_BUFFER_BINDING);
     glBindBuffer(GL_COPY_READ_BUFFER, GLuint(a.bufer));
-    glGetBufferParameteriv(GL_COPY_READ_BUFFER, GL_BUFFER_SIZE, &a.bytes);
+    a.bytes = contesta(glGetBufferParameteriv, GL_COPY_READ_BUFFER, GL_BUFFER_SIZE);
     const GLsizeiptr ocupa = GLsizeiptr(sizeof(float)) * a.componentes, paso = a.paso ? a.paso : ocupa;
     const GLsizeiptr hay = a.bytes - a.desplazamiento, todos = std::min(hay, MUESTRA * paso + ocupa);
     if (a.tipo == GL_FLOAT && a.componentes >= 1 && a.componentes <= 4 && a.desplazamiento >= 0 &&
@@ -72,11 +65,11 @@ Atributo atributo(const Variable &v) {
     const GLuint donde = GLuint(v.donde);
     Atributo a;
     a.variable = v;
-    a.activo = delAtributo(donde, GL_VERTEX_ATTRIB_ARRAY_ENABLED);
-    a.bufer = delAtributo(donde, GL_VERTEX_ATTRIB_ARRAY_BUFFER_BINDING);
-    a.componentes = delAtributo(donde, GL_VERTEX_ATTRIB_ARRAY_SIZE);
-    a.paso = delAtributo(donde, GL_VERTEX_ATTRIB_ARRAY_STRIDE);
-    a.tipo = GLenum(delAtributo(donde, GL_VERTEX_ATTRIB_ARRAY_TYPE));
+    a.activo = contesta(glGetVertexAttribiv, donde, GL_VERTEX_ATTRIB_ARRAY_ENABLED);
+    a.bufer = contesta(glGetVertexAttribiv, donde, GL_VERTEX_ATTRIB_ARRAY_BUFFER_BINDING);
+    a.componentes = contesta(glGetVertexAttribiv, donde, GL_VERTEX_ATTRIB_ARRAY_SIZE);
+    a.paso = contesta(glGetVertexAttribiv, donde, GL_VERTEX_ATTRIB_ARRAY_STRIDE);
+    a.tipo = GLenum(contesta(glGetVertexAttribiv, donde, GL_VERTEX_ATTRIB_ARRAY_TYPE));
     void *puntero = nullptr;
     glGetVertexAttribPointerv(donde, GL_VERTEX_ATTRIB_ARRAY_POINTER, &puntero);
     a.desplazamiento = reinterpret_cast<std::intptr_t>(puntero);
@@ -113,16 +106,8 @@ const Objetivo OBJETIVOS[] = {
 };
 
 GLint delNivel(GLenum objetivo, GLint nivel, GLenum cual) {
-    GLint valor = 0;
-    glGetTexLevelParameteriv(objetivo == GL_TEXTURE_CUBE_MAP ? GL_TEXTURE_CUBE_MAP_POSITIVE_X : objetivo,
-                             nivel, cual, &valor);
-    return valor;
-}
-
-GLint deTextura(GLenum objetivo, GLenum cual) {
-    GLint valor = 0;
-    glGetTexParameteriv(objetivo, cual, &valor);
-    return valor;
+    const GLenum imagen = objetivo == GL_TEXTURE_CUBE_MAP ? GL_TEXTURE_CUBE_MAP_POSITIVE_X : objetivo;
+    return contesta(glGetTexLevelParameteriv, imagen, nivel, cual);
 }
 
 std::string porQueNoEstaCompleta(const Textura &t) {
@@ -136,7 +121,7 @@ std::string porQueNoEstaCompleta(const Textura &t) {
         return "";
     GLint hay = 1, faltan = 0;
     for (GLint talla = std::max(t.ancho, t.alto) / 2;
-         talla && hay + faltan <= deTextura(t.objetivo, GL_TEXTURE_MAX_LEVEL); talla /= 2)
+         talla && hay + faltan <= contesta(glGetTexParameteriv, t.objetivo, GL_TEXTURE_MAX_LEVEL); talla /= 2)
         ++(faltan || !delNivel(t.objetivo, hay, GL_TEXTURE_WIDTH) ? faltan : hay);
     return faltan ? "su filtro de reducción es " + nombreDe(GLenum(t.reduce)) + " y solo tiene " +
                         (hay == 1 ? "un nivel"
@@ -175,10 +160,10 @@ Textura textura(GLuint programa, const Variable &v, const Objetivo &o, bool conS
         t.ancho = delNivel(o.objetivo, 0, GL_TEXTURE_WIDTH);
         t.alto = delNivel(o.objetivo, 0, GL_TEXTURE_HEIGHT);
         t.formato = delNivel(o.objetivo, 0, GL_TEXTURE_INTERNAL_FORMAT);
-        t.reduce = deTextura(o.objetivo, GL_TEXTURE_MIN_FILTER);
-        t.amplia = deTextura(o.objetivo, GL_TEXTURE_MAG_FILTER);
-        t.repiteS = deTextura(o.objetivo, GL_TEXTURE_WRAP_S);
-        t.repiteT = deTextura(o.objetivo, GL_TEXTURE_WRAP_T);
+        t.reduce = contesta(glGetTexParameteriv, o.objetivo, GL_TEXTURE_MIN_FILTER);
+        t.amplia = contesta(glGetTexParameteriv, o.objetivo, GL_TEXTURE_MAG_FILTER);
+        t.repiteS = contesta(glGetTexParameteriv, o.objetivo, GL_TEXTURE_WRAP_S);
+        t.repiteT = contesta(glGetTexParameteriv, o.objetivo, GL_TEXTURE_WRAP_T);
     }
     t.incompleta = porQueNoEstaCompleta(t);
     if (conSuma && t.ancho > 0 && t.alto > 0)
@@ -246,43 +231,46 @@ Json deCableado(const Cableado &c) {
     for (const Atributo &a : c.atributos) {
         const std::vector<std::array<float, 4>> tres(
             a.primeros.begin(), a.primeros.begin() + std::min<long>(3, long(a.primeros.size())));
-        Json json;
-        json.pon("nombre", a.variable.nombre).pon("tipo", tipoDe(a.variable.tipo)).pon("activo", a.activo);
-        json.pon("bufer", a.bufer).pon("componentes", a.componentes).pon("de", nombreDe(a.tipo));
-        atributos.push_back(json.pon("paso", a.paso)
-                                .pon("desplazamiento", a.desplazamiento)
-                                .pon("primeros", tres)
-                                .pon("suma", a.suma));
+        atributos.push_back({{"nombre", a.variable.nombre},
+                             {"tipo", tipoDe(a.variable.tipo)},
+                             {"activo", a.activo},
+                             {"bufer", a.bufer},
+                             {"componentes", a.componentes},
+                             {"de", nombreDe(a.tipo)},
+                             {"paso", a.paso},
+                             {"desplazamiento", a.desplazamiento},
+                             {"primeros", tres},
+                             {"suma", a.suma}});
     }
     for (const Uniforme &u : c.uniformes)
-        uniformes.push_back(Json()
-                                .pon("nombre", u.variable.nombre)
-                                .pon("tipo", tipoDe(u.variable.tipo))
-                                .pon("valor", u.valor)
-                                .pon("etapas", u.etapas)
-                                .pon("dado", u.dado)
-                                .pon("pila", u.pila));
+        uniformes.push_back({{"nombre", u.variable.nombre},
+                             {"tipo", tipoDe(u.variable.tipo)},
+                             {"valor", u.valor},
+                             {"etapas", u.etapas},
+                             {"dado", u.dado},
+                             {"pila", u.pila}});
     for (const Textura &t : c.texturas) {
-        Json json;
-        json.pon("sampler", t.sampler)
-            .pon("unidad", t.unidad)
-            .pon("textura", t.nombre)
-            .pon("objetivo", nombreDe(t.objetivo));
         std::vector<GLint> talla;
         if (!EN_WEB)
             talla = {t.ancho, t.alto};
-        json.pon("talla", talla).pon("formato", EN_WEB ? "" : nombreDe(GLenum(t.formato)));
-        json.pon("reduce", nombreDe(GLenum(t.reduce))).pon("amplia", nombreDe(GLenum(t.amplia)));
-        json.pon("repite", nombreDe(GLenum(t.repiteS)) + ", " + nombreDe(GLenum(t.repiteT)));
-        texturas.push_back(json.pon("incompleta", t.incompleta).pon("suma", t.suma));
+        texturas.push_back({{"sampler", t.sampler},
+                            {"unidad", t.unidad},
+                            {"textura", t.nombre},
+                            {"objetivo", nombreDe(t.objetivo)},
+                            {"talla", talla},
+                            {"formato", EN_WEB ? "" : nombreDe(GLenum(t.formato))},
+                            {"reduce", nombreDe(GLenum(t.reduce))},
+                            {"amplia", nombreDe(GLenum(t.amplia))},
+                            {"repite", nombreDe(GLenum(t.repiteS)) + ", " + nombreDe(GLenum(t.repiteT))},
+                            {"incompleta", t.incompleta},
+                            {"suma", t.suma}});
     }
-    return Json()
-        .pon("indices", entero(GL_ELEMENT_ARRAY_BUFFER_BINDING))
-        .pon("sumaIndices", c.sumaIndices)
-        .pon("vao", entero(GL_VERTEX_ARRAY_BINDING))
-        .pon("atributos", atributos)
-        .pon("uniformes", uniformes)
-        .pon("texturas", texturas);
+    return {{"indices", entero(GL_ELEMENT_ARRAY_BUFFER_BINDING)},
+            {"sumaIndices", c.sumaIndices},
+            {"vao", entero(GL_VERTEX_ARRAY_BINDING)},
+            {"atributos", atributos},
+            {"uniformes", uniformes},
+            {"texturas", texturas}};
 }
 
 } // namespace explica

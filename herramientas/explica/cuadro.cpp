@@ -23,7 +23,7 @@ struct Copia {
 struct Cuadro {
     enum Pasada { NADA, CUENTA, LISTA, PIXEL, SOMBREADO } pasada = NADA;
     int ancho = 0, alto = 0, numero = 0; // de la orden
-    bool imagenes = false, sumas = false;
+    Pedido que;
     std::vector<Json> ordenes;
     std::vector<Suceso> sucesos;
     int ordenSombreada = 0, primitivaSombreada = -1;
@@ -40,7 +40,7 @@ void apuntaOrden(const Orden &orden) {
     Json json = describe(orden, lienzo);
     json.pon("pila", pilaActual());
     const bool dibuja = orden.que == Orden::Que::Dibuja;
-    const Cableado cableado = dibuja ? cableadoActual(c.sumas) : Cableado();
+    const Cableado cableado = dibuja ? cableadoActual(c.que.sumas) : Cableado();
     c.sospechas.antes(orden, lienzo, cableado, c.numero);
     if (dibuja) {
         if (const GLuint programa = GLuint(entero(GL_CURRENT_PROGRAM)))
@@ -53,7 +53,7 @@ void apuntaOrden(const Orden &orden) {
     }
     if (orden.que == Orden::Que::Copia && (orden.buferes & GL_COLOR_BUFFER_BIT))
         c.copias.push_back({c.numero, GLuint(entero(GL_READ_FRAMEBUFFER_BINDING)), lienzo.nombre, orden});
-    if (c.imagenes) {
+    if (c.que.imagenes) {
         const Guardado guardado;
         apuntaImagenes(lienzo, json, dibuja);
     }
@@ -86,7 +86,7 @@ void llegaOrden(const Orden &orden) {
     const Punto p = c.pixel[0]; // de otro framebuffer, el que está en el mismo sitio
     const Punto enOtro = {p.x * lienzo.ancho / c.ancho, p.y * lienzo.alto / c.alto};
     c.sombreado = sombrea(orden, lienzo, seMira ? suyo->second : enOtro, c.primitivaSombreada);
-    if (c.imagenes)
+    if (c.que.imagenes)
         c.sombreado.pon("malla", mallaEnJson(orden));
     orden.hazla();
 }
@@ -115,11 +115,11 @@ void pasa(Cuadro::Pasada pasada, void (*dibuja)()) {
 }
 
 // Lo último que se escribe con una primitiva, si después no se borra: en la ventana o, si lo que llega a ella es una
-// copia, en el framebuffer de que se copia.
-const Suceso *quienGana() {
+// copia, en el framebuffer de que se copia. `cambia`: de lo que cambia algo.
+const Suceso *quienGana(bool cambia) {
     GLuint framebuffer = 0;
     for (auto s = c.sucesos.rbegin(); s != c.sucesos.rend(); ++s) {
-        if (s->framebuffer != framebuffer || s->veredicto != "escrito")
+        if (s->framebuffer != framebuffer || s->veredicto != "escrito" || (cambia && !s->cambia))
             continue;
         if (s->primitiva >= 0)
             return &*s;
@@ -132,7 +132,7 @@ const Suceso *quienGana() {
     return nullptr;
 }
 
-Json explicaPixel(void (*dibuja)(), Punto pedido, const Pedido &que) {
+Json explicaPixel(void (*dibuja)(), Punto pedido) {
     c.sucesos.clear();
     c.sombreado = Json();
     const Punto p = {pedido.x, c.alto - 1 - pedido.y};
@@ -140,10 +140,10 @@ Json explicaPixel(void (*dibuja)(), Punto pedido, const Pedido &que) {
     if (!EN_WEB) // ahí los demás framebuffers no se pueden leer
         c.pixel = enCadaFramebuffer(p);
     pasa(c.PIXEL, dibuja);
-    std::tie(c.ordenSombreada, c.primitivaSombreada) = que.sombrea;
-    if (!c.ordenSombreada)
-        if (const Suceso *const ganador = quienGana(); ganador)
-            std::tie(c.ordenSombreada, c.primitivaSombreada) = std::pair(ganador->orden, ganador->primitiva);
+    std::tie(c.ordenSombreada, c.primitivaSombreada) = c.que.sombrea;
+    const Suceso *const ganador = quienGana(true) ? quienGana(true) : quienGana(false);
+    if (!c.ordenSombreada && ganador)
+        std::tie(c.ordenSombreada, c.primitivaSombreada) = std::pair(ganador->orden, ganador->primitiva);
     if (c.ordenSombreada)
         pasa(c.SOMBREADO, dibuja);
     const Guardado guardado;
@@ -154,8 +154,7 @@ Json explicaPixel(void (*dibuja)(), Punto pedido, const Pedido &que) {
     std::vector<Json> historia;
     for (const Suceso &s : c.sucesos)
         historia.push_back(s.json);
-    Json json;
-    json.pon("pixel", std::array<int, 2>{pedido.x, pedido.y}).pon("color", color).pon("historia", historia);
+    Json json = {{"pixel", std::array<int, 2>{pedido.x, pedido.y}}, {"color", color}, {"historia", historia}};
     if (c.ordenSombreada)
         json.pon("sombreado",
                  c.sombreado.pon("orden", c.ordenSombreada).pon("primitiva", c.primitivaSombreada));
@@ -165,8 +164,7 @@ Json explicaPixel(void (*dibuja)(), Punto pedido, const Pedido &que) {
 std::vector<Json> programasJson() {
     std::vector<Json> programas;
     for (const GLuint programa : c.programas) {
-        Json json;
-        json.pon("programa", programa);
+        Json json = {{"programa", programa}};
         for (const Fuente &f : fuentesDe(programa))
             json.pon(f.tipo == GL_VERTEX_SHADER ? "vert" : "frag", f.texto);
         programas.push_back(json);
@@ -228,7 +226,7 @@ void pregunta(void (*dibuja)()) {
 
 std::string explica(void (*dibuja)(), int ancho, int alto, const Pedido &que) {
     c = {};
-    c.ancho = ancho, c.alto = alto, c.imagenes = que.imagenes, c.sumas = que.sumas;
+    c.ancho = ancho, c.alto = alto, c.que = que;
     olvidaImagenes();
     olvidaGemelos();
     pasa(c.LISTA, dibuja);
@@ -238,12 +236,14 @@ std::string explica(void (*dibuja)(), int ancho, int alto, const Pedido &que) {
     }();
     std::vector<Json> pixeles;
     for (const Punto p : que.pixeles)
-        pixeles.push_back(explicaPixel(dibuja, p, que));
-    Json json;
-    json.pon("talla", std::array<int, 2>{ancho, alto}).pon("ordenes", c.ordenes);
-    json.pon("sospechas", sospechas).pon("programas", programasJson()).pon("pixeles", pixeles);
-    json.pon("pilas", pilasEnJson());
-    if (c.imagenes)
+        pixeles.push_back(explicaPixel(dibuja, p));
+    Json json = {{"talla", std::array<int, 2>{ancho, alto}},
+                 {"ordenes", c.ordenes},
+                 {"sospechas", sospechas},
+                 {"programas", programasJson()},
+                 {"pixeles", pixeles},
+                 {"pilas", pilasEnJson()}};
+    if (c.que.imagenes)
         json.pon("veces", vecesEnJson());
     return json.texto();
 }

@@ -50,6 +50,15 @@ Cabeza Reescritor::cabeza() {
     return c;
 }
 
+bool Reescritor::conoce(std::size_t desde, std::size_t hasta, long long &valor) const {
+    const auto deNombre = [this](const std::string &nombre, long long &suyo) {
+        const Nombrado *que = busca(nombre);
+        suyo = que ? que->valor : 0;
+        return que && que->conocido;
+    };
+    return evalua(&p[desde], &p[hasta], deNombre, valor);
+}
+
 std::string Reescritor::corchetes(Tipo &tipo) {
     if (!es("["))
         return "";
@@ -57,12 +66,7 @@ std::string Reescritor::corchetes(Tipo &tipo) {
     if (tipo.cuantos != 0)
         throw NoSe(ahora(), "no sé de arrays de arrays");
     long long n = 0;
-    const auto conoce = [this](const std::string &nombre, long long &valor) {
-        const Nombrado *que = busca(nombre);
-        valor = que ? que->valor : 0;
-        return que && que->conocido;
-    };
-    const bool sabe = evalua(&p[desde + 1], &p[hasta], conoce, n) && n > 0 && n < 100000;
+    const bool sabe = conoce(desde + 1, hasta, n) && n > 0 && n < 100000;
     tipo.cuantos = sabe ? int(n) : -1;
     i = hasta + 1;
     return " " + copia(desde, i);
@@ -107,14 +111,7 @@ std::string Reescritor::declaracion(const Cabeza &c, std::string &despues) {
         declara(nombre, tipo);
         if (c.constante && (tipo.base == "int" || tipo.base == "uint") && tipo.cuantos == 0) {
             Nombrado &n = ambitos.back()[p[nombre].texto];
-            n.conocido = evalua(
-                &p[desde], &p[i],
-                [this](const std::string &otro, long long &valor) {
-                    const Nombrado *que = busca(otro);
-                    valor = que ? que->valor : 0;
-                    return que && que->conocido;
-                },
-                n.valor);
+            n.conocido = conoce(desde, i, n.valor);
         }
         s += es(",") ? " ," : "";
     } while (toma(","));

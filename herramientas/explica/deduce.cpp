@@ -1,31 +1,16 @@
 #include "deduce.h"
+#include "json.h"
 #include "lexico.h"
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+#include <glm/glm.hpp>
 #include <regex>
 
 namespace explica {
 namespace {
 
 using P = std::array<float, 4>;
-using V = std::array<double, 3>;
-
-V menos(const V &a, const V &b) {
-    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-V cruz(const V &a, const V &b) {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-double punto(const V &a, const V &b) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-std::string cifras(double numero) {
-    char texto[32];
-    std::snprintf(texto, sizeof texto, "%.4g", numero);
-    return texto;
-}
+using V = glm::dvec3;
 
 // El número de cada punto, el mismo si están en el mismo sitio.
 std::vector<unsigned> sitiosDe(const Puntos &puntos) {
@@ -53,9 +38,9 @@ bool estaCerrado(const Puntos &puntos, const std::vector<unsigned> &triangulos) 
 
 // El ángulo sólido con que se ve un triángulo desde el origen (Van Oosterom y Strackee, 1983).
 double anguloSolido(const V &a, const V &b, const V &c) {
-    const double A = std::sqrt(punto(a, a)), B = std::sqrt(punto(b, b)), C = std::sqrt(punto(c, c));
-    return 2 *
-           std::atan2(punto(a, cruz(b, c)), A * B * C + punto(a, b) * C + punto(b, c) * A + punto(c, a) * B);
+    const double A = glm::length(a), B = glm::length(b), C = glm::length(c);
+    return 2 * std::atan2(glm::dot(a, glm::cross(b, c)),
+                          A * B * C + glm::dot(a, b) * C + glm::dot(b, c) * A + glm::dot(c, a) * B);
 }
 
 } // namespace
@@ -114,7 +99,7 @@ Solido solidoDe(const Puntos &puntos, const std::vector<unsigned> &triangulos, b
             return s;
     double angulo = 0, volumen = 0, cabe = 0;
     bool delante = true, perspectiva = false;
-    V centro{};
+    V centro(0);
     std::vector<V> vistos;
     for (const auto &[x, y, z, w] : puntos) {
         delante = delante && w > 0;
@@ -123,19 +108,18 @@ Solido solidoDe(const Puntos &puntos, const std::vector<unsigned> &triangulos, b
     }
     for (std::size_t i = 0; i < vistos.size(); ++i) {
         vistos[i][2] = perspectiva ? -1 / double(puntos[i][3]) : alReves ? -vistos[i][2] : vistos[i][2];
-        for (std::size_t k = 0; k < 3; ++k)
-            centro[k] += vistos[i][k] / double(vistos.size());
+        centro += vistos[i] / double(vistos.size());
     }
     for (std::size_t i = 0; i + 2 < triangulos.size(); i += 3) {
         const auto desdeLaCamara = [&](std::size_t k) {
             const auto &[x, y, z, w] = puntos[triangulos[i + k]];
             return V{double(x), double(y), double(w)};
         };
-        const auto en = [&](std::size_t k) { return menos(vistos[triangulos[i + k]], centro); };
+        const auto en = [&](std::size_t k) { return vistos[triangulos[i + k]] - centro; };
         angulo += anguloSolido(desdeLaCamara(0), desdeLaCamara(1), desdeLaCamara(2));
         const V a = en(0), b = en(1), c = en(2);
-        volumen += punto(a, cruz(b, c));
-        cabe += std::sqrt(punto(a, a) * punto(b, b) * punto(c, c));
+        volumen += glm::dot(a, glm::cross(b, c));
+        cabe += glm::length(a) * glm::length(b) * glm::length(c);
     }
     s.rodea = perspectiva && std::fabs(std::fabs(angulo) - 4 * M_PI) < 0.1;
     const bool aplastado = std::fabs(volumen) < 1e-5 * cabe;
@@ -224,7 +208,7 @@ bool perpendiculares(const std::vector<double> &m) { // las tres filas
     for (std::size_t a = 0; a < 3; ++a) {
         const std::size_t b = (a + 1) % 3;
         const V u = {m[a], m[4 + a], m[8 + a]}, v = {m[b], m[4 + b], m[8 + b]};
-        if (std::fabs(punto(u, v)) > 1e-4 * std::sqrt(punto(u, u) * punto(v, v)))
+        if (std::fabs(glm::dot(u, v)) > 1e-4 * glm::length(u) * glm::length(v))
             return false;
     }
     return true;
@@ -233,12 +217,12 @@ bool perpendiculares(const std::vector<double> &m) { // las tres filas
 Dicho dePlanos(const std::string &quien, const std::vector<double> &m, bool alReves) {
     const double cerca = m[14] / (m[10] - 1), lejos = m[14] / (m[10] + 1);
     if (m[14] == 0 || cerca < 0)
-        return {"en la proyección, " + quien + ", el plano cerca es " + (m[14] == 0 ? "0" : cifras(cerca)) +
-                    ": todo queda a la misma profundidad",
+        return {"en la proyección, " + quien + ", el plano cerca es " +
+                    (m[14] == 0 ? "0" : cifras(cerca, 4)) + ": todo queda a la misma profundidad",
                 "cerca tiene que ser mayor que 0: 0.1, por ejemplo."};
     if (cerca > lejos && lejos > 0 && !alReves)
-        return {"en la proyección, " + quien + ", cerca (" + cifras(cerca) + ") es mayor que lejos (" +
-                    cifras(lejos) + ")",
+        return {"en la proyección, " + quien + ", cerca (" + cifras(cerca, 4) + ") es mayor que lejos (" +
+                    cifras(lejos, 4) + ")",
                 "glm::perspective(ángulo, aspecto, cerca, lejos): están cambiados."};
     for (int grados = 20; grados < 180; ++grados)
         if (std::fabs(m[5] * std::tan(grados / 2.0) - 1) < 2e-6)
@@ -299,28 +283,22 @@ Dicho conCero(const Productos &productos, const std::vector<Matriz> &matrices) {
 
 namespace {
 
-using Giro = std::array<double, 9>; // por columnas
+using Giro = glm::dmat3;
 
 Giro giroDe(const std::vector<double> &m) {
     const std::size_t alto = m.size() == 16 ? 4 : 3;
-    Giro g{};
-    for (std::size_t i = 0; i < 9; ++i)
-        g[i] = m[i / 3 * alto + i % 3];
-    return g;
-}
-Giro por(const Giro &a, const Giro &b, bool aTraspuesta = false) {
-    Giro g{};
-    for (std::size_t i = 0; i < 9; ++i)
-        for (std::size_t k = 0; k < 3; ++k)
-            g[i] += a[aTraspuesta ? i % 3 * 3 + k : k * 3 + i % 3] * b[i / 3 * 3 + k];
+    Giro g;
+    for (int i = 0; i < 9; ++i)
+        g[i / 3][i % 3] = m[std::size_t(i) / 3 * alto + std::size_t(i) % 3];
     return g;
 }
 
 // Si lo que lleva así las normales las deja perpendiculares a lo que lleva así los puntos.
 bool sonDe(const Giro &normales, const Giro &puntos) {
-    const Giro g = por(normales, puntos, true);
-    for (std::size_t i = 0; i < 9; ++i)
-        if (std::fabs(g[i] - (i % 4 ? 0 : g[0])) > 1e-3 * std::fabs(g[0]))
+    const Giro g = glm::transpose(normales) * puntos;
+    const double vale = g[0][0];
+    for (int i = 0; i < 9; ++i)
+        if (std::fabs(g[i / 3][i % 3] - (i % 4 ? 0 : vale)) > 1e-3 * std::fabs(vale))
             return false;
     return true;
 }
@@ -334,7 +312,7 @@ Dicho deIluminacion(const Iluminacion &s, const Productos &productos, const std:
         for (const auto &factores : productos) {
             if (!std::regex_search(factores.back(), std::regex("\\b" + atributo + "\\b")))
                 continue;
-            Giro g = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+            Giro g(1);
             std::string primera;
             bool conocidas = true;
             for (std::size_t i = factores.size() - 1; i-- > (ultima ? 0 : 1);) {
@@ -344,7 +322,7 @@ Dicho deIluminacion(const Iluminacion &s, const Productos &productos, const std:
                 conocidas =
                     conocidas && suya != matrices.end() && (suya->valor.size() == 9 || suya->valor[11] == 0);
                 if (conocidas)
-                    g = por(giroDe(suya->valor), g), primera = factores[0];
+                    g = giroDe(suya->valor) * g, primera = factores[0];
             }
             if (conocidas)
                 todos.push_back({g, primera});

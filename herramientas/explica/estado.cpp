@@ -6,68 +6,54 @@
 namespace explica {
 
 Guardado::Guardado() {
+    const auto guarda = [&](GLenum cual, void (*pone)(GLint)) {
+        repone.push_back([=, valor = entero(cual)] { pone(valor); });
+    };
     for (int i = 0; i < 6; ++i)
         activo[i] = glIsEnabled(INTERRUPTORES[i]);
-    for (int i = 0; i < 4; ++i)
-        paquete[i] = entero(PAQUETE[i]);
-    glGetBooleanv(GL_COLOR_WRITEMASK, mascaraColor);
-    mascaraProfundidad = entero(GL_DEPTH_WRITEMASK);
-    mascaraPlantilla[0] = entero(GL_STENCIL_WRITEMASK);
-    mascaraPlantilla[1] = entero(GL_STENCIL_BACK_WRITEMASK);
-    funcionProfundidad = entero(GL_DEPTH_FUNC);
-    glGetIntegerv(GL_SCISSOR_BOX, recorte);
-    glGetFloatv(GL_COLOR_CLEAR_VALUE, colorDeBorrar);
-    programa = entero(GL_CURRENT_PROGRAM);
-    vao = entero(GL_VERTEX_ARRAY_BINDING);
-    indices = vao ? entero(GL_ELEMENT_ARRAY_BUFFER_BINDING) : 0;
-    lectura = entero(GL_COPY_READ_BUFFER_BINDING);
-    dibuja = entero(GL_DRAW_FRAMEBUFFER_BINDING);
-    lee = entero(GL_READ_FRAMEBUFFER_BINDING);
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, GLuint(dibuja)); // el que se va a leer
-    buferDeLeer = entero(GL_READ_BUFFER);
-    buferPaquete = entero(GL_PIXEL_PACK_BUFFER_BINDING);
-    renderbuffer = entero(GL_RENDERBUFFER_BINDING);
-    unidad = entero(GL_ACTIVE_TEXTURE);
-    textura = entero(GL_TEXTURE_BINDING_2D);
+    for (const GLenum cual :
+         {GL_PACK_ALIGNMENT, GL_PACK_ROW_LENGTH, GL_PACK_SKIP_ROWS, GL_PACK_SKIP_PIXELS}) {
+        repone.push_back([=, valor = entero(cual)] { glPixelStorei(cual, valor); });
+        glPixelStorei(cual, cual == GL_PACK_ALIGNMENT);
+    }
+    repone.push_back([m = mascaraDeColor()] { glColorMask(m[0], m[1], m[2], m[3]); });
+    guarda(GL_DEPTH_WRITEMASK, [](GLint v) { glDepthMask(GLboolean(v)); });
+    guarda(GL_STENCIL_WRITEMASK, [](GLint v) { glStencilMaskSeparate(GL_FRONT, GLuint(v)); });
+    guarda(GL_STENCIL_BACK_WRITEMASK, [](GLint v) { glStencilMaskSeparate(GL_BACK, GLuint(v)); });
+    guarda(GL_DEPTH_FUNC, [](GLint v) { glDepthFunc(GLenum(v)); });
+    repone.push_back([r = cuatro(GL_SCISSOR_BOX)] { glScissor(r[0], r[1], r[2], r[3]); });
+    std::array<GLfloat, 4> borra{};
+    glGetFloatv(GL_COLOR_CLEAR_VALUE, borra.data());
+    repone.push_back([=] { glClearColor(borra[0], borra[1], borra[2], borra[3]); });
+    guarda(GL_CURRENT_PROGRAM, [](GLint v) { glUseProgram(GLuint(v)); });
+    guarda(GL_VERTEX_ARRAY_BINDING, [](GLint v) { glBindVertexArray(GLuint(v)); });
+    if (entero(GL_VERTEX_ARRAY_BINDING))
+        guarda(GL_ELEMENT_ARRAY_BUFFER_BINDING,
+               [](GLint v) { glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, GLuint(v)); });
+    guarda(GL_COPY_READ_BUFFER_BINDING, [](GLint v) { glBindBuffer(GL_COPY_READ_BUFFER, GLuint(v)); });
+    guarda(GL_DRAW_FRAMEBUFFER_BINDING, [](GLint v) { glBindFramebuffer(GL_FRAMEBUFFER, GLuint(v)); });
+    const GLint lee = entero(GL_READ_FRAMEBUFFER_BINDING);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER,
+                      GLuint(entero(GL_DRAW_FRAMEBUFFER_BINDING))); // el que se va a leer
+    guarda(GL_READ_BUFFER, [](GLint v) { glReadBuffer(GLenum(v)); });
+    repone.push_back([=] { glBindFramebuffer(GL_READ_FRAMEBUFFER, GLuint(lee)); });
+    guarda(GL_PIXEL_PACK_BUFFER_BINDING, [](GLint v) { glBindBuffer(GL_PIXEL_PACK_BUFFER, GLuint(v)); });
     glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
-    for (int i = 0; i < 4; ++i)
-        glPixelStorei(PAQUETE[i], i == 0);
+    guarda(GL_RENDERBUFFER_BINDING, [](GLint v) { glBindRenderbuffer(GL_RENDERBUFFER, GLuint(v)); });
+    guarda(GL_ACTIVE_TEXTURE, [](GLint v) { glActiveTexture(GLenum(v)); });
+    guarda(GL_TEXTURE_BINDING_2D, [](GLint v) { glBindTexture(GL_TEXTURE_2D, GLuint(v)); });
 }
 
 Guardado::~Guardado() {
     for (int i = 0; i < 6; ++i)
         pon(INTERRUPTORES[i], activo[i]);
-    for (int i = 0; i < 4; ++i)
-        glPixelStorei(PAQUETE[i], paquete[i]);
-    glColorMask(mascaraColor[0], mascaraColor[1], mascaraColor[2], mascaraColor[3]);
-    glDepthMask(GLboolean(mascaraProfundidad));
-    glStencilMaskSeparate(GL_FRONT, GLuint(mascaraPlantilla[0]));
-    glStencilMaskSeparate(GL_BACK, GLuint(mascaraPlantilla[1]));
-    glDepthFunc(GLenum(funcionProfundidad));
-    glScissor(recorte[0], recorte[1], recorte[2], recorte[3]);
-    glClearColor(colorDeBorrar[0], colorDeBorrar[1], colorDeBorrar[2], colorDeBorrar[3]);
-    glUseProgram(GLuint(programa));
-    glBindVertexArray(GLuint(vao));
-    if (vao)
-        glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, GLuint(indices));
-    glBindBuffer(GL_COPY_READ_BUFFER, GLuint(lectura));
-    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, GLuint(dibuja));
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, GLuint(dibuja));
-    glReadBuffer(GLenum(buferDeLeer));
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, GLuint(lee));
-    glBindBuffer(GL_PIXEL_PACK_BUFFER, GLuint(buferPaquete));
-    glBindRenderbuffer(GL_RENDERBUFFER, GLuint(renderbuffer));
-    glActiveTexture(GLenum(unidad));
-    glBindTexture(GL_TEXTURE_2D, GLuint(textura));
+    for (const auto &una : repone)
+        una();
 }
 
 bool Guardado::lleva(GLenum interruptor) const {
     const auto donde = std::find(std::begin(INTERRUPTORES), std::end(INTERRUPTORES), interruptor);
     return activo[donde - std::begin(INTERRUPTORES)];
-}
-
-bool Guardado::escribeColor() const {
-    return mascaraColor[0] || mascaraColor[1] || mascaraColor[2] || mascaraColor[3];
 }
 
 void pon(GLenum interruptor, bool activo) {
@@ -76,56 +62,55 @@ void pon(GLenum interruptor, bool activo) {
 
 namespace {
 
-GLint deAdjunto(GLenum objetivo, GLenum adjunto, GLenum cual) {
-    GLint valor = 0;
-    glGetFramebufferAttachmentParameteriv(objetivo, adjunto, cual, &valor);
-    return valor;
-}
-
 bool hayAdjunto(GLenum objetivo, GLenum adjunto) {
-    return deAdjunto(objetivo, adjunto, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) != GL_NONE;
+    return contesta(glGetFramebufferAttachmentParameteriv, objetivo, adjunto,
+                    GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) != GL_NONE;
 }
 
 // La talla y el formato de lo que hay adjunto, sea textura o renderbuffer.
 void mide(GLenum objetivo, GLenum adjunto, Lienzo &lienzo) {
-    const GLint tipo = deAdjunto(objetivo, adjunto, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE);
+    const GLint tipo = contesta(glGetFramebufferAttachmentParameteriv, objetivo, adjunto,
+                                GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE);
     if (tipo == GL_NONE)
         return;
-    const GLuint nombre = GLuint(deAdjunto(objetivo, adjunto, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME));
-    GLint formato = 0;
+    const GLuint nombre = GLuint(contesta(glGetFramebufferAttachmentParameteriv, objetivo, adjunto,
+                                          GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME));
     if (tipo == GL_RENDERBUFFER) {
         const GLint antes = entero(GL_RENDERBUFFER_BINDING);
         glBindRenderbuffer(GL_RENDERBUFFER, nombre);
         glGetRenderbufferParameteriv(GL_RENDERBUFFER, GL_RENDERBUFFER_WIDTH, &lienzo.ancho);
         glGetRenderbufferParameteriv(GL_RENDERBUFFER, GL_RENDERBUFFER_HEIGHT, &lienzo.alto);
         glGetRenderbufferParameteriv(GL_RENDERBUFFER, GL_RENDERBUFFER_SAMPLES, &lienzo.muestras);
-        glGetRenderbufferParameteriv(GL_RENDERBUFFER, GL_RENDERBUFFER_INTERNAL_FORMAT, &formato);
+        lienzo.formato =
+            GLenum(contesta(glGetRenderbufferParameteriv, GL_RENDERBUFFER, GL_RENDERBUFFER_INTERNAL_FORMAT));
         glBindRenderbuffer(GL_RENDERBUFFER, GLuint(antes));
     } else {
-        const GLint nivel = deAdjunto(objetivo, adjunto, GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_LEVEL);
-        const GLint cara = deAdjunto(objetivo, adjunto, GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_CUBE_MAP_FACE);
+        const GLint nivel = contesta(glGetFramebufferAttachmentParameteriv, objetivo, adjunto,
+                                     GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_LEVEL);
+        const GLint cara = contesta(glGetFramebufferAttachmentParameteriv, objetivo, adjunto,
+                                    GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_CUBE_MAP_FACE);
         const GLenum cual = cara ? GL_TEXTURE_CUBE_MAP : GL_TEXTURE_2D;
         const GLint antes = entero(cara ? GL_TEXTURE_BINDING_CUBE_MAP : GL_TEXTURE_BINDING_2D);
         glBindTexture(cual, nombre);
         const GLenum lado = cara ? GLenum(cara) : GL_TEXTURE_2D;
         glGetTexLevelParameteriv(lado, nivel, GL_TEXTURE_WIDTH, &lienzo.ancho);
         glGetTexLevelParameteriv(lado, nivel, GL_TEXTURE_HEIGHT, &lienzo.alto);
-        glGetTexLevelParameteriv(lado, nivel, GL_TEXTURE_INTERNAL_FORMAT, &formato);
+        lienzo.formato = GLenum(contesta(glGetTexLevelParameteriv, lado, nivel, GL_TEXTURE_INTERNAL_FORMAT));
         glBindTexture(cual, GLuint(antes));
     }
     if (EN_WEB && !lienzo.ancho) { // de una textura no lo dice
-        GLint vista[4];
-        glGetIntegerv(GL_VIEWPORT, vista);
+        const auto vista = cuatro(GL_VIEWPORT);
         lienzo.ancho = vista[0] + vista[2];
         lienzo.alto = vista[1] + vista[3];
     }
-    lienzo.formato = GLenum(formato);
 }
 
 } // namespace
 
 int bitsDe(GLenum objetivo, GLenum adjunto, GLenum cual) {
-    return hayAdjunto(objetivo, adjunto) ? deAdjunto(objetivo, adjunto, cual) : 0;
+    return hayAdjunto(objetivo, adjunto)
+               ? contesta(glGetFramebufferAttachmentParameteriv, objetivo, adjunto, cual)
+               : 0;
 }
 
 Lienzo lienzoActual(int ancho, int alto, GLenum objetivo) {
@@ -146,7 +131,8 @@ Lienzo lienzoActual(int ancho, int alto, GLenum objetivo) {
     mide(objetivo, profundidad, l);
     if (l.buferColor != GL_NONE && hayAdjunto(objetivo, l.buferColor)) {
         mide(objetivo, l.buferColor, l);
-        l.componentes = GLenum(deAdjunto(objetivo, l.buferColor, GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE));
+        l.componentes = GLenum(contesta(glGetFramebufferAttachmentParameteriv, objetivo, l.buferColor,
+                                        GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE));
     } else {
         l.buferColor = GL_NONE;
     }
@@ -183,6 +169,17 @@ std::vector<float> leeColores(const Lienzo &l, int x, int y, int ancho, int alto
     glDeleteFramebuffers(1, &marco);
     glDeleteRenderbuffers(1, &pixeles);
     return rgba;
+}
+
+std::vector<Pixel> coloresAparte(int x, int y, int ancho, int alto, const std::function<void()> &dibuja) {
+    std::vector<Pixel> colores(std::size_t(ancho) * std::size_t(alto));
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glDisable(GL_BLEND);
+    glClearBufferfv(GL_COLOR, 0, NINGUNO.data());
+    dibuja();
+    glReadBuffer(GL_COLOR_ATTACHMENT0);
+    glReadPixels(x, y, ancho, alto, GL_RGBA, GL_FLOAT, colores.data());
+    return colores;
 }
 
 Color leeColor(const Lienzo &l, int x, int y) {

@@ -10,17 +10,15 @@
 namespace explica {
 
 using Color = std::array<double, 4>; // de 0 a 255, o lo que haya si es de float
+using Pixel = std::array<float, 4>;
+const Pixel NINGUNO = {-12345, 0, 0, -1}; // el color que no da ningún shader
 
 /// Lo que se cambia vuelve a ser lo que era al destruirse.
 class Guardado {
     static constexpr GLenum INTERRUPTORES[] = {GL_SCISSOR_TEST, GL_CULL_FACE, GL_STENCIL_TEST,
                                                GL_DEPTH_TEST,   GL_BLEND,     GL_RASTERIZER_DISCARD};
-    static constexpr GLenum PAQUETE[] = {GL_PACK_ALIGNMENT, GL_PACK_ROW_LENGTH, GL_PACK_SKIP_ROWS,
-                                         GL_PACK_SKIP_PIXELS};
-    GLboolean activo[6], mascaraColor[4];
-    GLint mascaraProfundidad, mascaraPlantilla[2], funcionProfundidad, recorte[4], programa, vao, indices,
-        dibuja, lee, buferDeLeer, paquete[4], buferPaquete, textura, renderbuffer, unidad, lectura;
-    GLfloat colorDeBorrar[4];
+    GLboolean activo[6];
+    std::vector<std::function<void()>> repone;
 
 public:
     Guardado();
@@ -28,7 +26,6 @@ public:
     Guardado(const Guardado &) = delete;
     Guardado &operator=(const Guardado &) = delete;
     bool lleva(GLenum interruptor) const;
-    bool escribeColor() const;
 };
 
 /// Un framebuffer, con lo que se puede leer de él.
@@ -71,6 +68,9 @@ bool hayRespuestas(); // si se puede saber ya
 /// Pone donde se dibuja un framebuffer en float, de esa talla y con profundidad de los mismos bits, que de ellos
 /// depende glPolygonOffset; y lo que hay en él. Hay que tener un Guardado.
 void abreAparte(const Lienzo &lienzo);
+
+/// Lo que da el shader en un rectángulo de ese framebuffer, sin mezclar ni acotar; NINGUNO donde no dibuja nada.
+std::vector<Pixel> coloresAparte(int x, int y, int ancho, int alto, const std::function<void()> &dibuja);
 float profundidadAparte(int x, int y);
 
 int bitsDe(GLenum objetivo, GLenum adjunto, GLenum cual);

@@ -4,15 +4,6 @@ namespace explica {
 
 namespace {
 
-int prioridad(const Palabra &p) {
-    static const std::map<std::string, int> PRIORIDAD = {
-        {"||", 1}, {"^^", 2}, {"&&", 3}, {"|", 4},  {"^", 5},  {"&", 6},  {"==", 7},
-        {"!=", 7}, {"<", 8},  {">", 8},  {"<=", 8}, {">=", 8}, {"<<", 9}, {">>", 9},
-        {"+", 10}, {"-", 10}, {"*", 11}, {"/", 11}, {"%", 11}};
-    const auto k = PRIORIDAD.find(p.texto);
-    return k == PRIORIDAD.end() ? 0 : k->second;
-}
-
 bool asigna(const Palabra &p) {
     static const std::set<std::string> SIGNOS = {
         "=", "+=", "-=", "*=", "/=", "%=", "&=", "<<=", ">>=", "|=", "^="};
@@ -23,13 +14,8 @@ bool asigna(const Palabra &p) {
 
 Expresion Reescritor::expresion() {
     Expresion e = asignacion();
-    while (toma(",")) {
-        const Expresion otra = asignacion();
-        e.texto += " , " + otra.texto;
-        e.efectos |= otra.efectos;
-        e.lugar = false;
-        e.hasta = otra.hasta;
-    }
+    while (toma(","))
+        e.sigue(" , ", asignacion());
     return e;
 }
 
@@ -78,27 +64,17 @@ Expresion Reescritor::ternaria() {
     if (!congelado)
         c.texto = envuelve(Clase::Condicion, p[c.desde], comoEsta(c), {"bool", nullptr, 0}, c.texto);
     ++i;
-    const Expresion a = expresion();
+    c.sigue(" ? ", expresion());
     exige(":");
-    const Expresion b = asignacion();
-    c.texto += " ? " + a.texto + " : " + b.texto;
-    c.efectos |= a.efectos || b.efectos;
-    c.tipo = {};
-    c.lugar = false;
-    c.hasta = b.hasta;
+    c.sigue(" : ", asignacion());
     return c;
 }
 
 Expresion Reescritor::binaria(int minima) {
     Expresion a = unaria();
-    while (prioridad(ahora()) > minima) {
-        const Palabra op = p[i++];
-        const Expresion b = binaria(prioridad(op));
-        a.texto += " " + op.texto + " " + b.texto;
-        a.efectos |= b.efectos;
-        a.tipo = {};
-        a.lugar = false;
-        a.hasta = b.hasta;
+    while (prioridad(ahora().texto) > minima) {
+        const std::string op = p[i++].texto;
+        a.sigue(" " + op + " ", binaria(prioridad(op)));
     }
     return a;
 }
@@ -118,8 +94,7 @@ Expresion Reescritor::unaria() {
         avisa(p[desde], "no sé apuntar aquí lo que vale «" + comoEsta(e) + "»");
     e.efectos |= cambia;
     e.desde = desde;
-    e.lugar = false;
-    e.tipo = {};
+    e.yaNoEsLugar();
     return e;
 }
 
@@ -136,8 +111,7 @@ Expresion Reescritor::posfija() {
             e.texto += " . length ( )";
             i += 3;
             exige(")");
-            e.tipo = {};
-            e.lugar = false;
+            e.yaNoEsLugar();
         } else if (toma(".")) {
             const std::string campo = p[nombreNuevo()].texto;
             e.texto += " . " + campo;
@@ -167,8 +141,7 @@ void Reescritor::trasPosfijo(Expresion &e) {
         e.texto += mas ? " ++" : " --";
     }
     e.efectos = true;
-    e.lugar = false;
-    e.tipo = {};
+    e.yaNoEsLugar();
 }
 
 Expresion Reescritor::primaria() {
@@ -212,26 +185,56 @@ Expresion Reescritor::llamada(bool construye) {
     e.efectos |= funciones.count(nombre.texto) > 0;
     if (tipo.cuantos != 0)
         e.tipo.cuantos = int(dados.size());
-    if (nombre.texto == "texture" && apuntaLecturas && !congelado && funciones.count("texture") == 0)
-        apuntaLectura(e, dados);
+    const bool suya = funciones.count(nombre.texto) > 0;
+    for (std::size_t k = 0; suya && k < dados.size(); ++k)
+        if (dados[k].tipo.opaco())
+            llegan[nombre.texto + "/" + std::to_string(k)].insert(texturaDe(dados[k]));
+    if (apuntaLecturas && !congelado && !suya && !dados.empty() && dados[0].tipo.opaco() &&
+        nombre.texto.compare(0, 7, "texture") == 0 && nombre.texto != "textureSize")
+        apuntaLectura(nombre.texto, e, dados);
     return e;
 }
 
-// Lo que se lee de un sampler2D que es un uniform.
-void Reescritor::apuntaLectura(Expresion &e, const std::vector<Expresion> &dados) {
-    if (dados.size() < 2 || dados.size() > 3 || dados[0].tipo.base != "sampler2D" ||
-        dados[0].hasta - dados[0].desde != 1)
+// La textura que nombra: un uniform, «material.color», o un parámetro, «funcion/0». Vacío, si no se sabe.
+std::string Reescritor::texturaDe(const Expresion &e) const {
+    const std::string nombre = texto(&p[e.desde], &p[e.hasta]);
+    const Nombrado *que = busca(p[e.desde].texto);
+    for (std::size_t k = 0; k < parametrosFuncion.size(); ++k)
+        if (que && parametrosFuncion[k].donde && parametrosFuncion[k].donde == que->donde)
+            return e.hasta - e.desde == 1 ? nombreFuncion.texto + "/" + std::to_string(k) : "";
+    return nombre.find('[') == nombre.npos ? nombre : "";
+}
+
+// Los uniforms que puede ser.
+std::set<std::string> Reescritor::deDonde(const std::string &textura, int quedan) const {
+    const auto suyas = llegan.find(textura);
+    if (suyas == llegan.end() || !quedan)
+        return {textura};
+    std::set<std::string> todas;
+    for (const std::string &otra : suyas->second)
+        todas.merge(deDonde(otra, quedan - 1));
+    return todas;
+}
+
+// Lo que se lee de una textura y, si es un sampler2D, con qué se sabrá de qué texels sale.
+void Reescritor::apuntaLectura(const std::string &funcion, Expresion &e,
+                               const std::vector<Expresion> &dados) {
+    const Palabra &donde = p[dados[0].desde];
+    const std::string como = funcion + std::to_string(dados.size()),
+                      escrito = texto(&p[dados[0].desde - 2], &p[i]);
+    const std::string &base = dados[0].tipo.base;
+    if (base != "sampler2D" || (como != "texture2" && como != "texture3" && como != "textureLod3")) {
+        const bool entera = base[0] != 's', deSombra = base.find("Shadow") != base.npos;
+        const std::string tipo = deSombra ? "float" : entera ? base.substr(0, 1) + "vec4" : "vec4";
+        e.texto = envuelve(Clase::SinSeguir, donde, escrito, {tipo, nullptr, 0}, e.texto);
         return;
-    const auto global = ambitos[0].find(p[dados[0].desde].texto);
-    if (global == ambitos[0].end() || busca(global->first) != &global->second)
-        return; // es un parámetro
-    const Palabra &sampler = p[dados[0].desde];
-    const int nota = apunta(Clase::Lee, sampler, sampler.texto, "vec4");
-    apunta(Clase::Lee, sampler, texto(&p[dados[0].desde - 2], &p[i]), "vec3");
-    if (apunta(Clase::Lee, sampler, "", "vec4") < 0)
+    }
+    const int nota = apunta(Clase::Lee, donde, texturaDe(dados[0]), "vec4");
+    apunta(Clase::Lee, donde, escrito, "vec3");
+    if (apunta(Clase::Lee, donde, "", "vec4") < 0)
         return;
-    e.texto.replace(0, std::string("texture (").size(), "explica_lee ( " + std::to_string(nota) + " ,");
-    lecturas.insert(dados.size());
+    e.texto.replace(0, (funcion + " (").size(), "explica_" + como + " ( " + std::to_string(nota) + " ,");
+    lecturas.insert(como);
 }
 
 std::vector<Expresion> Reescritor::argumentos(const std::string &funcion) {

@@ -23,7 +23,9 @@ enum class Clase {
     Vuelve,    // sale sin devolver nada (void); también main
     Descarta,  // discard (void): lo último que se apunta
     Salida,    // valor final de lo que da el shader
-    Lee // de texture(), en tres notas: dFdx y dFdy de sus coordenadas; ellas y lo que se suma al nivel; lo leído
+    Lee, // de texture() o textureLod(), en tres notas: dFdx y dFdy de sus coordenadas; ellas y lo que se suma al nivel;
+         // lo leído. La primera se llama como el uniform; vacío, si según de dónde se llama es uno u otro
+    SinSeguir // lo leído de otra manera, o de otra textura
 };
 
 /// Un sitio del shader que se apunta. Su número es su lugar en Reescrito::notas.
@@ -61,7 +63,7 @@ struct Reescrito {
 ///   explica_1      (p, q, d, 0): p + 65536 q pasos dados; si d = 1, descarta
 ///   explica_2 …    el paso de cada hueco: lo que se apuntó, para `valor`
 /// `define`: lo que OpenGL define (lexico.h); sin él, de lo que dependa se avisa. `lecturas`: si se apunta lo que lee
-/// de cada uniform sampler2D.
+/// de cada textura.
 Reescrito reescribe(const std::string &fuente, int salidas, Etapa etapa = Etapa::Fragmento,
                     const Define &define = {}, bool lecturas = false);
 

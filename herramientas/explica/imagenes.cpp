@@ -39,11 +39,7 @@ Json miniatura(const Imagen &imagen) {
                         suma += imagen.bytes[std::size_t((j * imagen.ancho + i) * imagen.canales + c)];
                 bytes.push_back(static_cast<unsigned char>((suma + n / 2) / std::max(n, 1)));
             }
-    return Json()
-        .pon("ancho", ancho)
-        .pon("alto", alto)
-        .pon("canales", imagen.canales)
-        .pon("datos", enBase64(bytes));
+    return {{"ancho", ancho}, {"alto", alto}, {"canales", imagen.canales}, {"datos", enBase64(bytes)}};
 }
 
 // De `canales` números por píxel, los primeros `quedan`, en bytes.

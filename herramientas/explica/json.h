@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -41,13 +42,33 @@ std::string enJson(Numero numero) {
     return std::isnan(double(numero)) ? "\"nan\"" : texto; // sin el signo, que no dice nada
 }
 
+/// Para leerlo, con esas cifras.
+inline std::string cifras(double numero, int cuantas) {
+    char texto[32];
+    std::snprintf(texto, sizeof texto, "%.*g", cuantas, numero);
+    return texto;
+}
+
 /// Un objeto, clave a clave.
 class Json {
     std::string dentro;
 
 public:
+    struct Par {
+        std::string texto;
+        template<class Valor>
+        Par(const char *clave, const Valor &valor);
+    };
+    Json(std::initializer_list<Par> pares = {}) {
+        for (const Par &par : pares)
+            anade(par);
+    }
+    Json &anade(const Par &par) {
+        dentro += (dentro.empty() ? "" : ",\n") + par.texto;
+        return *this;
+    }
     template<class Valor>
-    Json &pon(const std::string &clave, const Valor &valor);
+    Json &pon(const char *clave, const Valor &valor);
     std::string texto() const {
         return "{" + dentro + "}";
     }
@@ -82,9 +103,11 @@ std::string enJson(const std::optional<Valor> &valor) {
 }
 
 template<class Valor>
-Json &Json::pon(const std::string &clave, const Valor &valor) {
-    dentro += (dentro.empty() ? "" : ",\n") + enJson(clave) + ":" + enJson(valor);
-    return *this;
+Json::Par::Par(const char *clave, const Valor &valor) : texto(enJson(clave) + ":" + enJson(valor)) {
+}
+template<class Valor>
+Json &Json::pon(const char *clave, const Valor &valor) {
+    return anade({clave, valor});
 }
 
 } // namespace explica

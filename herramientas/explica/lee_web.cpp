@@ -10,7 +10,6 @@
 #include <map>
 
 DECLARA(glBlitFramebuffer)
-DECLARA(glReadPixels)
 DECLARA(glStencilFunc)
 
 // Si hay una consulta en curso. Con EM_JS, por lo que dice contexto_web.cpp.
@@ -24,9 +23,6 @@ extern bool plantillaPedida; // contexto_web.cpp
 
 namespace explica {
 namespace {
-
-using Pixel = std::array<float, 4>;
-const Pixel NINGUNO = {-12345, 0, 0, -1}; // el color que no da ningún shader
 
 const char *const EN_TODO = R"(#version 140
 void main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0); }
@@ -45,11 +41,7 @@ void main() { color = vec4(1.0); }
 
 GLuint enlaza(const char *fragmento) {
     const GLuint programa = glCreateProgram();
-    for (const auto &[tipo, texto] :
-         {std::pair(GL_VERTEX_SHADER, EN_TODO), {GL_FRAGMENT_SHADER, fragmento}}) {
-        const GLuint shader = glCreateShader(GLenum(tipo));
-        glShaderSource(shader, 1, &texto, nullptr);
-        glCompileShader(shader);
+    for (const GLuint shader : {compila(GL_VERTEX_SHADER, EN_TODO), compila(GL_FRAGMENT_SHADER, fragmento)}) {
         glAttachShader(programa, shader);
         glDeleteShader(shader);
     }
@@ -91,8 +83,7 @@ const Marco &marcoDe(GLenum formato, int ancho, int alto, GLenum deColor = GL_RG
         glBindFramebuffer(GL_FRAMEBUFFER, m.nombre);
         return m;
     }
-    GLint vista[4];
-    glGetIntegerv(GL_VIEWPORT, vista);
+    const auto vista = cuatro(GL_VIEWPORT);
     glDeleteFramebuffers(1, &m.nombre);
     glDeleteRenderbuffers(1, &m.color);
     glDeleteTextures(1, &m.profundidad);
@@ -158,11 +149,10 @@ const Marco &copia(const Lienzo &l, int x, int y, int ancho, int alto, GLenum de
 
 // Sin ninguna prueba; lo que se cubra llega a todo el rectángulo (0, 0, ancho, alto).
 class SinPruebas {
-    GLint vista[4];
+    std::array<GLint, 4> vista = cuatro(GL_VIEWPORT);
 
 public:
     SinPruebas(int x, int y, int ancho, int alto) {
-        glGetIntegerv(GL_VIEWPORT, vista);
         glViewport(x, y, ancho, alto);
         for (const GLenum prueba :
              {GL_SCISSOR_TEST, GL_CULL_FACE, GL_STENCIL_TEST, GL_DEPTH_TEST, GL_BLEND, GL_RASTERIZER_DISCARD})
@@ -186,7 +176,7 @@ std::vector<float> profundidades(GLuint textura, int x, int y, int ancho, int al
     const SinPruebas sin(0, 0, w, alto);
     glBindTexture(GL_TEXTURE_2D, textura);
     cubre({{"copia", entero(GL_ACTIVE_TEXTURE) - GL_TEXTURE0}, {"x", x}, {"y", y}});
-    DE_VERDAD(glReadPixels)(0, 0, w, alto, GL_RGBA, GL_FLOAT, leidas.data());
+    glReadPixels(0, 0, w, alto, GL_RGBA, GL_FLOAT, leidas.data());
     std::vector<float> salen;
     for (int fila = 0; fila < alto; ++fila)
         salen.insert(salen.end(), &leidas[std::size_t(4 * w * fila)],
@@ -234,7 +224,7 @@ std::vector<unsigned char> leePlantilla(const Lienzo &l, int x, int y, int ancho
         }
         glDisable(GL_STENCIL_TEST);
         glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-        DE_VERDAD(glReadPixels)(x, y, ancho, alto, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
+        glReadPixels(x, y, ancho, alto, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
         for (std::size_t i = 0; i < rgba.size(); ++i)
             leida[i / 4] = static_cast<unsigned char>(leida[i / 4] | (rgba[i] > 0) << (desde + int(i % 4)));
     }
@@ -244,18 +234,18 @@ std::vector<unsigned char> leePlantilla(const Lienzo &l, int x, int y, int ancho
 
 void leePixeles(const Lienzo &l, int x, int y, int ancho, int alto, float *rgba) {
     if (l.componentes != GL_UNSIGNED_NORMALIZED)
-        return DE_VERDAD(glReadPixels)(x, y, ancho, alto, GL_RGBA, GL_FLOAT, rgba);
+        return glReadPixels(x, y, ancho, alto, GL_RGBA, GL_FLOAT, rgba);
     std::vector<unsigned char> bytes(std::size_t(4 * ancho * alto));
-    DE_VERDAD(glReadPixels)(x, y, ancho, alto, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
+    glReadPixels(x, y, ancho, alto, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
     std::transform(bytes.begin(), bytes.end(), rgba, [](unsigned char b) { return float(b) / 255; });
 }
 
 // En el framebuffer aparte, con la profundidad y la plantilla de donde se dibuja, solo se escribe el color: si cambia
 // es que pasa. De lo que el recorte deja y, si no lo hay, de todo.
 long muestrasDe(const std::function<void()> &dibuja) {
-    GLint r[4], nombre = entero(GL_DRAW_FRAMEBUFFER_BINDING);
+    const GLint nombre = entero(GL_DRAW_FRAMEBUFFER_BINDING);
     const bool recorta = glIsEnabled(GL_SCISSOR_TEST);
-    glGetIntegerv(recorta ? GL_SCISSOR_BOX : GL_VIEWPORT, r);
+    const auto r = cuatro(recorta ? GL_SCISSOR_BOX : GL_VIEWPORT);
     Lienzo l;
     l.nombre = GLuint(nombre);
     l.ancho = r[0] + r[2], l.alto = r[1] + r[3];
@@ -269,14 +259,9 @@ long muestrasDe(const std::function<void()> &dibuja) {
     } else {
         marcoDe(GL_NONE, l.ancho, l.alto);
     }
-    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glDepthMask(GL_FALSE);
     glStencilMask(0);
-    glDisable(GL_BLEND);
-    glClearBufferfv(GL_COLOR, 0, NINGUNO.data());
-    dibuja();
-    std::vector<Pixel> leidos(std::size_t(r[2]) * std::size_t(r[3]));
-    DE_VERDAD(glReadPixels)(r[0], r[1], r[2], r[3], GL_RGBA, GL_FLOAT, leidos.data());
+    const std::vector<Pixel> leidos = coloresAparte(r[0], r[1], r[2], r[3], dibuja);
     glBindFramebuffer(GL_FRAMEBUFFER, GLuint(nombre));
     return std::any_of(leidos.begin(), leidos.end(), [](const Pixel &p) { return p != NINGUNO; });
 }

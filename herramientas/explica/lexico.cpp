@@ -399,13 +399,6 @@ private:
     const std::function<bool(const std::string &, long long &)> &conoce;
     int hondo = 0;
 
-    static int prioridad(const std::string &s) {
-        static const std::map<std::string, int> PRIORIDAD = {
-            {"||", 1}, {"&&", 2}, {"|", 3},  {"^", 4},  {"&", 5}, {"==", 6}, {"!=", 6}, {"<", 7},  {">", 7},
-            {"<=", 7}, {">=", 7}, {"<<", 8}, {">>", 8}, {"+", 9}, {"-", 9},  {"*", 10}, {"/", 10}, {"%", 10}};
-        const auto i = PRIORIDAD.find(s);
-        return i == PRIORIDAD.end() ? 0 : i->second;
-    }
     long long binaria(int minima) {
         if (++hondo > 100)
             throw NoSe(Palabra(), "");
@@ -464,6 +457,15 @@ private:
 };
 
 } // namespace
+
+int prioridad(const std::string &signo) {
+    static const std::map<std::string, int> PRIORIDAD = {
+        {"||", 1}, {"^^", 2}, {"&&", 3}, {"|", 4},  {"^", 5},  {"&", 6},  {"==", 7},
+        {"!=", 7}, {"<", 8},  {">", 8},  {"<=", 8}, {">=", 8}, {"<<", 9}, {">>", 9},
+        {"+", 10}, {"-", 10}, {"*", 11}, {"/", 11}, {"%", 11}};
+    const auto suya = PRIORIDAD.find(signo);
+    return suya == PRIORIDAD.end() ? 0 : suya->second;
+}
 
 Preprocesado preprocesa(const std::string &fuente, const Define &define) {
     return Preprocesador(define).hace(fuente);

@@ -39,6 +39,9 @@ Preprocesado preprocesa(const std::string &fuente, const Define &define = {});
 /// El texto de unas palabras, espaciadas como lo estaban.
 std::string texto(const Palabra *desde, const Palabra *hasta);
 
+/// De un operador de dos lados; 0, si no lo es.
+int prioridad(const std::string &signo);
+
 /// El valor de una expresión constante entera, con lo que `conoce` diga de cada nombre; false si no se sabe.
 bool evalua(const Palabra *desde, const Palabra *hasta,
             const std::function<bool(const std::string &nombre, long long &valor)> &conoce,

@@ -3,6 +3,7 @@
 #define GL_GLEXT_PROTOTYPES
 #include <GL/gl.h>
 #include <GL/glext.h>
+#include <array>
 
 // En la página (web.cpp) las que se tapan son las que llaman los programas, y las de verdad se llaman de otra manera.
 #ifdef __EMSCRIPTEN__
@@ -30,10 +31,28 @@ struct DeVerdad {
 };
 const DeVerdad &deVerdad();
 
-inline GLint entero(GLenum cual) {
+/// El número que una función de OpenGL deja donde dice su último parámetro: contesta(glGetIntegerv, GL_BLEND).
+template<class Funcion, class... Parametros>
+GLint contesta(Funcion funcion, Parametros... parametros) {
     GLint valor = 0;
-    glGetIntegerv(cual, &valor);
+    funcion(parametros..., &valor);
     return valor;
+}
+inline GLint entero(GLenum cual) {
+    return contesta(glGetIntegerv, cual);
+}
+inline std::array<GLint, 4> cuatro(GLenum cual) { // GL_VIEWPORT, GL_SCISSOR_BOX
+    std::array<GLint, 4> valores{};
+    glGetIntegerv(cual, valores.data());
+    return valores;
+}
+inline std::array<GLboolean, 4> mascaraDeColor() {
+    std::array<GLboolean, 4> mascara{};
+    glGetBooleanv(GL_COLOR_WRITEMASK, mascara.data());
+    return mascara;
+}
+inline bool escribeColor() {
+    return mascaraDeColor() != std::array<GLboolean, 4>{};
 }
 
 } // namespace explica

@@ -36,65 +36,57 @@ Orden dibuja(const std::string &como, GLenum modo, GLenum tipo, const std::vecto
 }
 
 #ifndef __EMSCRIPTEN__ // en la página nada las usa, y WebGL 2 no tiene la mitad
-Orden instancias(GLenum modo, GLint primero, GLsizei n, GLsizei veces) {
-    const std::string como = llamada("glDrawArraysInstanced", nombreModo(modo), primero, n, veces);
-    return dibuja(como, modo, GL_NONE, {{primero, n}}, veces);
+Orden instancias(const char *funcion, GLenum modo, GLint primero, GLsizei n, GLsizei veces) {
+    return dibuja(llamada(funcion, nombreModo(modo), primero, n, veces), modo, GL_NONE, {{primero, n}},
+                  veces);
 }
 
-// Las que tienen índices: lo que las distingue son sus últimos parámetros.
+// Las que tienen índices: `mas` son los parámetros que las distinguen.
 template<class... Mas>
-std::string conIndices(const char *funcion, GLenum modo, GLsizei n, GLenum tipo, const void *desde,
-                       Mas... mas) {
-    return llamada(funcion, nombreModo(modo), n, nombreDe(tipo), desde, mas...);
-}
-
-Orden instanciasConIndices(GLenum modo, GLsizei n, GLenum tipo, const void *desde, GLsizei veces) {
-    const std::string como = conIndices("glDrawElementsInstanced", modo, n, tipo, desde, veces);
-    return dibuja(como, modo, tipo, {{0, n, desde}}, veces);
-}
-
-Orden instanciasConBase(GLenum modo, GLsizei n, GLenum tipo, const void *desde, GLsizei veces, GLint base) {
+Orden conIndices(const char *funcion, GLenum modo, const Tramo &t, GLenum tipo, GLsizei veces, Mas... mas) {
     const std::string como =
-        conIndices("glDrawElementsInstancedBaseVertex", modo, n, tipo, desde, veces, base);
-    return dibuja(como, modo, tipo, {{0, n, desde, base}}, veces);
+        llamada(funcion, nombreModo(modo), t.vertices, nombreDe(tipo), t.indices, mas...);
+    return dibuja(como, modo, tipo, {t}, veces);
+}
+Orden instanciasConIndices(const char *funcion, GLenum modo, GLsizei n, GLenum tipo, const void *desde,
+                           GLsizei veces) {
+    return conIndices(funcion, modo, {0, n, desde}, tipo, veces, veces);
+}
+Orden instanciasConBase(const char *funcion, GLenum modo, GLsizei n, GLenum tipo, const void *desde,
+                        GLsizei veces, GLint base) {
+    return conIndices(funcion, modo, {0, n, desde, base}, tipo, veces, veces, base);
+}
+Orden enTramo(const char *funcion, GLenum modo, GLuint, GLuint, GLsizei n, GLenum tipo, const void *desde) {
+    return conIndices(funcion, modo, {0, n, desde}, tipo, 1);
+}
+Orden conBase(const char *funcion, GLenum modo, GLsizei n, GLenum tipo, const void *desde, GLint base) {
+    return conIndices(funcion, modo, {0, n, desde, base}, tipo, 1, base);
+}
+Orden enTramoConBase(const char *funcion, GLenum modo, GLuint, GLuint, GLsizei n, GLenum tipo,
+                     const void *desde, GLint base) {
+    return conBase(funcion, modo, n, tipo, desde, base);
 }
 
-Orden enTramo(GLenum modo, GLuint, GLuint, GLsizei n, GLenum tipo, const void *desde) {
-    return dibuja(conIndices("glDrawRangeElements", modo, n, tipo, desde), modo, tipo, {{0, n, desde}});
-}
-
-Orden conBase(GLenum modo, GLsizei n, GLenum tipo, const void *desde, GLint base) {
-    const std::string como = conIndices("glDrawElementsBaseVertex", modo, n, tipo, desde, base);
-    return dibuja(como, modo, tipo, {{0, n, desde, base}});
-}
-
-Orden enTramoConBase(GLenum modo, GLuint, GLuint, GLsizei n, GLenum tipo, const void *desde, GLint base) {
-    const std::string como = conIndices("glDrawRangeElementsBaseVertex", modo, n, tipo, desde, base);
-    return dibuja(como, modo, tipo, {{0, n, desde, base}});
-}
-
-Orden varios(GLenum modo, const GLint *primeros, const GLsizei *cuantos, GLsizei n) {
+Orden varios(const char *funcion, GLenum modo, const GLint *primeros, const GLsizei *cuantos, GLsizei n) {
     std::vector<Tramo> tramos;
     for (GLsizei i = 0; i < n; ++i)
         tramos.push_back({primeros[i], cuantos[i]});
-    return dibuja(llamada("glMultiDrawArrays", nombreModo(modo), n), modo, GL_NONE, tramos);
+    return dibuja(llamada(funcion, nombreModo(modo), n), modo, GL_NONE, tramos);
 }
-
-Orden variosConBase(GLenum modo, const GLsizei *cuantos, GLenum tipo, const void *const *desde, GLsizei n,
-                    const GLint *bases) {
+Orden variosConBase(const char *funcion, GLenum modo, const GLsizei *cuantos, GLenum tipo,
+                    const void *const *desde, GLsizei n, const GLint *bases) {
     std::vector<Tramo> tramos;
     for (GLsizei i = 0; i < n; ++i)
         tramos.push_back({0, cuantos[i], desde[i], bases ? bases[i] : 0});
-    const char *const funcion = bases ? "glMultiDrawElementsBaseVertex" : "glMultiDrawElements";
     return dibuja(llamada(funcion, nombreModo(modo), nombreDe(tipo), n), modo, tipo, tramos);
 }
-
-Orden variosConIndices(GLenum modo, const GLsizei *cuantos, GLenum tipo, const void *const *desde,
-                       GLsizei n) {
-    return variosConBase(modo, cuantos, tipo, desde, n, nullptr);
+Orden variosConIndices(const char *funcion, GLenum modo, const GLsizei *cuantos, GLenum tipo,
+                       const void *const *desde, GLsizei n) {
+    return variosConBase(funcion, modo, cuantos, tipo, desde, n, nullptr);
 }
 
-Orden borra(const char *funcion, GLenum bufer, GLint cual) {
+template<class... Valor>
+Orden borra(const char *funcion, GLenum bufer, GLint cual, Valor...) {
     Orden o{Orden::Que::Borra, llamada(funcion, nombreDe(bufer), cual), {}};
     o.buferes = bufer == GL_COLOR     ? GL_COLOR_BUFFER_BIT
                 : bufer == GL_DEPTH   ? GL_DEPTH_BUFFER_BIT
@@ -103,26 +95,12 @@ Orden borra(const char *funcion, GLenum bufer, GLint cual) {
     return o;
 }
 
-Orden borraReal(GLenum bufer, GLint cual, const GLfloat *) {
-    return borra("glClearBufferfv", bufer, cual);
-}
-Orden borraEntero(GLenum bufer, GLint cual, const GLint *) {
-    return borra("glClearBufferiv", bufer, cual);
-}
-Orden borraNatural(GLenum bufer, GLint cual, const GLuint *) {
-    return borra("glClearBufferuiv", bufer, cual);
-}
-Orden borraLosDos(GLenum bufer, GLint cual, GLfloat, GLint) {
-    return borra("glClearBufferfi", bufer, cual);
-}
-
 #endif
 
-Orden copia(GLint x0, GLint y0, GLint x1, GLint y1, GLint u0, GLint v0, GLint u1, GLint v1,
-            GLbitfield buferes, GLenum filtro) {
+Orden copia(const char *funcion, GLint x0, GLint y0, GLint x1, GLint y1, GLint u0, GLint v0, GLint u1,
+            GLint v1, GLbitfield buferes, GLenum filtro) {
     const std::string cuales = nombreBuferes(buferes), como = nombreDe(filtro);
-    Orden o{
-        Orden::Que::Copia, llamada("glBlitFramebuffer", x0, y0, x1, y1, u0, v0, u1, v1, cuales, como), {}};
+    Orden o{Orden::Que::Copia, llamada(funcion, x0, y0, x1, y1, u0, v0, u1, v1, cuales, como), {}};
     o.origen = {x0, y0, x1, y1}, o.destino = {u0, v0, u1, v1}, o.buferes = buferes;
     return o;
 }
@@ -138,10 +116,11 @@ bool faltanIndices(const Orden &o) {
 // Una función, por la que la cambia: `orden` dice lo que hace con esos parámetros.
 template<auto funcion, auto orden>
 struct Tapada;
-template<class... Parametros, void (*funcion)(Parametros...), Orden (*orden)(Parametros...)>
+template<class... Parametros, void (*funcion)(Parametros...), Orden (*orden)(const char *, Parametros...)>
 struct Tapada<funcion, orden> {
+    static inline const char *nombre = "";
     static void llama(Parametros... parametros) {
-        Orden suya = orden(parametros...);
+        Orden suya = orden(nombre, parametros...);
         suya.hazla = [=] {
             if (!faltanIndices(suya))
                 funcion(parametros...);
@@ -149,13 +128,18 @@ struct Tapada<funcion, orden> {
         llegaA(suya);
     }
 };
+template<auto funcion, auto orden>
+Direccion tapada(const char *nombre) {
+    Tapada<funcion, orden>::nombre = nombre;
+    return reinterpret_cast<Direccion>(Tapada<funcion, orden>::llama);
+}
 
 } // namespace
 
 Direccion tapaOrden(const std::string &nombre, void (*llega)(const Orden &orden)) {
     llegaA = llega;
-#define TAPA(funcion, orden)                                                                                 \
-    { #funcion, reinterpret_cast < Direccion>(Tapada <DE_VERDAD(funcion), orden>::llama) }
+#define TAPA(funcion, ...)                                                                                   \
+    { #funcion, tapada < DE_VERDAD(funcion), __VA_ARGS__>(#funcion) }
     static const std::map<std::string, Direccion> TAPADAS = {
 #ifndef __EMSCRIPTEN__
         TAPA(glDrawArraysInstanced, instancias),
@@ -167,10 +151,10 @@ Direccion tapaOrden(const std::string &nombre, void (*llega)(const Orden &orden)
         TAPA(glMultiDrawArrays, varios),
         TAPA(glMultiDrawElements, variosConIndices),
         TAPA(glMultiDrawElementsBaseVertex, variosConBase),
-        TAPA(glClearBufferfv, borraReal),
-        TAPA(glClearBufferiv, borraEntero),
-        TAPA(glClearBufferuiv, borraNatural),
-        TAPA(glClearBufferfi, borraLosDos),
+        TAPA(glClearBufferfv, borra<const GLfloat *>),
+        TAPA(glClearBufferiv, borra<const GLint *>),
+        TAPA(glClearBufferuiv, borra<const GLuint *>),
+        TAPA(glClearBufferfi, borra<GLfloat, GLint>),
 #endif
         TAPA(glBlitFramebuffer, copia)};
 #undef TAPA
@@ -186,20 +170,18 @@ Orden ordenBorra(GLbitfield buferes) {
 }
 
 Orden ordenDibuja(GLenum modo, GLint primero, GLsizei vertices) {
-    Orden o{Orden::Que::Dibuja, llamada("glDrawArrays", nombreModo(modo), primero, vertices),
-            [=] { deVerdad().dibujaVertices(modo, primero, vertices); }};
-    o.modo = modo, o.tramos = {{primero, vertices}};
+    const std::string como = llamada("glDrawArrays", nombreModo(modo), primero, vertices);
+    Orden o = dibuja(como, modo, GL_NONE, {{primero, vertices}});
+    o.hazla = [=] { deVerdad().dibujaVertices(modo, primero, vertices); };
     return o;
 }
 
-Orden ordenDibuja(GLenum modo, GLsizei vertices, GLenum tipoIndice, const void *indices) {
-    Orden o{Orden::Que::Dibuja,
-            llamada("glDrawElements", nombreModo(modo), vertices, nombreDe(tipoIndice), indices),
-            {}};
-    o.modo = modo, o.tipoIndice = tipoIndice, o.tramos = {{0, vertices, indices}};
+Orden ordenDibuja(GLenum modo, GLsizei vertices, GLenum tipo, const void *indices) {
+    const std::string como = llamada("glDrawElements", nombreModo(modo), vertices, nombreDe(tipo), indices);
+    Orden o = dibuja(como, modo, tipo, {{0, vertices, indices}});
     o.hazla = [=] {
         if (!faltanIndices(o))
-            deVerdad().dibujaIndices(modo, vertices, tipoIndice, indices);
+            deVerdad().dibujaIndices(modo, vertices, tipo, indices);
     };
     return o;
 }
@@ -217,9 +199,8 @@ template<class Indice>
 std::vector<GLuint> leeIndices(std::intptr_t desde, GLsizei cuantos) {
     std::vector<Indice> leidos(static_cast<std::size_t>(cuantos));
     const auto bytes = GLsizeiptr(leidos.size() * sizeof(Indice));
-    GLint hay = 0;
-    glGetBufferParameteriv(GL_ELEMENT_ARRAY_BUFFER, GL_BUFFER_SIZE, &hay);
-    if (desde < 0 || desde + bytes > hay)
+    if (desde < 0 ||
+        desde + bytes > contesta(glGetBufferParameteriv, GL_ELEMENT_ARRAY_BUFFER, GL_BUFFER_SIZE))
         return {};
     glGetBufferSubData(GL_ELEMENT_ARRAY_BUFFER, desde, bytes, leidos.data());
     return {leidos.begin(), leidos.end()};
@@ -260,11 +241,8 @@ std::string en(GLenum cual, int n) {
     GLfloat valores[4] = {};
     glGetFloatv(cual, valores);
     std::string texto;
-    for (int i = 0; i < n; ++i) {
-        char numero[24];
-        std::snprintf(numero, sizeof numero, i ? " %g" : "%g", double(valores[i]));
-        texto += numero;
-    }
+    for (int i = 0; i < n; ++i)
+        texto += (i ? " " : "") + cifras(double(valores[i]), 6);
     return texto;
 }
 
@@ -273,11 +251,9 @@ std::string constante(GLenum cual) {
 }
 
 std::string mascaraColor() {
-    GLboolean m[4];
-    glGetBooleanv(GL_COLOR_WRITEMASK, m);
-    std::string texto;
-    for (int i = 0; i < 4; ++i)
-        texto += m[i] ? "rgba"[i] : '-';
+    std::string texto = "rgba";
+    for (std::size_t i = 0; i < 4; ++i)
+        texto[i] = mascaraDeColor()[i] ? texto[i] : '-';
     return texto;
 }
 
@@ -326,7 +302,7 @@ std::vector<std::string> pruebas(const Orden &o) {
         lista.push_back("quita caras");
     if (glIsEnabled(GL_BLEND))
         lista.push_back("mezcla");
-    if (mascaraColor() == "----")
+    if (!escribeColor())
         lista.push_back("sin color");
     if (!glIsEnabled(GL_DEPTH_TEST))
         lista.push_back("sin profundidad");
@@ -368,11 +344,12 @@ Json describe(const Orden &o, const Lienzo &l) {
     if (o.que == Orden::Que::Dibuja)
         for (const auto &[nombre, valor] : estadoActual())
             estado.push_back(Json().pon("nombre", nombre).pon("valor", valor));
-    Json orden;
-    orden.pon("llamada", o.llamada).pon("titulo", titulo(o)).pon("pruebas", pruebas(o));
-    orden.pon("framebuffer", nombreLienzo(l))
-        .pon("talla", std::array<int, 2>{l.ancho, l.alto})
-        .pon("estado", estado);
+    Json orden = {{"llamada", o.llamada},
+                  {"titulo", titulo(o)},
+                  {"pruebas", pruebas(o)},
+                  {"framebuffer", nombreLienzo(l)},
+                  {"talla", std::array<int, 2>{l.ancho, l.alto}},
+                  {"estado", estado}};
     if (const GLint programa = entero(GL_CURRENT_PROGRAM); programa && o.que == Orden::Que::Dibuja)
         orden.pon("programa", programa);
     return orden;

@@ -2,6 +2,7 @@
 
 SE_DICEN = "entrada", "declara", "asigna", "condicion", "salida"
 FALTAN = 3  # de lo que no está
+LECTURAS = 6
 MAXIMO = 30  # líneas; todas están en la página
 
 
@@ -94,7 +95,9 @@ def cuadro(datos):
         filas += [de_suceso(suceso, ordenes[suceso["orden"]]) for suceso in datos["historia"]]
         filas += [] if datos["historia"] else ["      ninguna orden de este cuadro lo toca"]
         sombreado = datos.get("sombreado", {})
-        filas += [*de_sombreado(datos["lineas"]), *map(de_lectura, sombreado.get("lecturas", [])[:FALTAN])]
+        lecturas = [de_lectura(lectura) for lectura in sombreado.get("lecturas", [])]
+        mas = [f"      y {len(lecturas) - LECTURAS} lecturas más, en la página"] * (len(lecturas) > LECTURAS)
+        filas += [*de_sombreado(datos["lineas"]), *lecturas[:LECTURAS], *mas]
         filas += sin_seguir(sombreado)
         filas += lo_que_falta(datos["historia"], ordenes)
         return "\n".join(filas)

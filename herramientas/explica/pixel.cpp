@@ -37,8 +37,7 @@ void cubren(const Sueltas &s, int desde, int hasta, std::vector<int> &cuales) {
 }
 
 bool enRecorte(Punto p) {
-    GLint r[4];
-    glGetIntegerv(GL_SCISSOR_BOX, r);
+    const auto r = cuatro(GL_SCISSOR_BOX);
     return p.x >= r[0] && p.y >= r[1] && p.x < r[0] + r[2] && p.y < r[1] + r[3];
 }
 
@@ -55,6 +54,7 @@ struct Pregunta {
 // La primera prueba que no pasa, en el orden en que las hace OpenGL.
 std::string veredicto(const Pregunta &q, const Pinta &pinta) {
     const Guardado g;
+    const bool escribe = escribeColor() && q.lienzo.buferColor != GL_NONE;
     soloPregunta(q.pixel);
     const auto pasa = [&](GLuint programa, bool cara, bool plantilla, bool profundidad) {
         glUseProgram(programa);
@@ -74,12 +74,13 @@ std::string veredicto(const Pregunta &q, const Pinta &pinta) {
         return "plantilla";
     if (g.lleva(GL_DEPTH_TEST) && !pasa(q.programa, false, plantilla, true))
         return "profundidad";
-    return g.escribeColor() && q.lienzo.buferColor != GL_NONE ? "escrito" : "mascara";
+    return escribe ? "escrito" : "mascara";
 }
 
 // Si lo habría escrito sin esa prueba, que es la primera que no pasa: si pasa las demás.
 bool soloEsa(const Pregunta &q, const Pinta &pinta, const std::string &prueba) {
     const Guardado g;
+    const bool escribe = escribeColor();
     soloPregunta(q.pixel);
     const auto hay = [&](const char *nombre, GLenum interruptor) {
         pon(interruptor, prueba != nombre && g.lleva(interruptor));
@@ -88,12 +89,12 @@ bool soloEsa(const Pregunta &q, const Pinta &pinta, const std::string &prueba) {
     hay("plantilla", GL_STENCIL_TEST);
     hay("profundidad", GL_DEPTH_TEST);
     glUseProgram(prueba == "descartado" ? q.cobertura : q.programa);
-    return (prueba == "recorte" || q.dentroDelRecorte) && (prueba == "mascara" || g.escribeColor()) &&
+    return (prueba == "recorte" || q.dentroDelRecorte) && (prueba == "mascara" || escribe) &&
            muestrasDe(pinta) > 0;
 }
 
 struct Fragmento {
-    std::array<float, 4> color;
+    Pixel color;
     float profundidad;
 };
 
@@ -102,17 +103,10 @@ std::optional<Fragmento> fragmentoDe(const Pregunta &q, const Pinta &pinta) {
     const Guardado guardado;
     abreAparte(q.lienzo);
     soloPregunta(q.pixel);
-    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glDepthMask(GL_TRUE);
-    glDisable(GL_BLEND);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_ALWAYS);
-    const std::array<float, 4> NINGUNO = {-12345, 0, 0, -1}; // el color que no da ningún shader
-    glClearBufferfv(GL_COLOR, 0, NINGUNO.data());
-    pinta();
-    Fragmento f{};
-    glReadBuffer(GL_COLOR_ATTACHMENT0);
-    glReadPixels(q.pixel.x, q.pixel.y, 1, 1, GL_RGBA, GL_FLOAT, f.color.data());
+    Fragmento f{coloresAparte(q.pixel.x, q.pixel.y, 1, 1, pinta)[0], 0};
     if (f.color == NINGUNO)
         return {};
     f.profundidad = profundidadAparte(q.pixel.x, q.pixel.y);
@@ -158,8 +152,7 @@ std::pair<Json, bool> mezcla(const Fragmento &f, const Color &antes, const Color
     const bool mezcla = glIsEnabled(GL_BLEND), acotado = l.componentes == GL_UNSIGNED_NORMALIZED;
     std::array<double, 4> origen{}, destino{}, factorOrigen{}, factorDestino{};
     Color suma{};
-    GLboolean escribe[4];
-    glGetBooleanv(GL_COLOR_WRITEMASK, escribe);
+    const auto escribe = mascaraDeColor();
     for (int c = 0; c < 4; ++c) {
         origen[c] = acotado ? std::clamp(double(f.color[c]), 0.0, 1.0) : double(f.color[c]);
         if (acotado && mezcla) // se mezcla con los bits que tiene el framebuffer
@@ -179,17 +172,15 @@ std::pair<Json, bool> mezcla(const Fragmento &f, const Color &antes, const Color
         // los dos productos y lo que dan se redondean a un nivel
         cuadra = cuadra && (alfa || std::fabs(suma[c] - despues[c]) <= 1.5 || std::isnan(suma[c]));
     }
-    Json json;
-    json.pon("si", mezcla).pon("ecuacion", nombreDe(GLenum(entero(GL_BLEND_EQUATION_RGB))));
-    json.pon("factorOrigen", factorOrigen).pon("factorDestino", factorDestino);
-    json.pon("origen", origen).pon("destino", destino).pon("suma", suma).pon("cuadra", cuadra);
-    return {json, cuadra};
-}
-
-std::string cifras(double numero) {
-    char texto[32];
-    std::snprintf(texto, sizeof texto, "%.6g", numero);
-    return texto;
+    return {{{"si", mezcla},
+             {"ecuacion", nombreDe(GLenum(entero(GL_BLEND_EQUATION_RGB)))},
+             {"factorOrigen", factorOrigen},
+             {"factorDestino", factorDestino},
+             {"origen", origen},
+             {"destino", destino},
+             {"suma", suma},
+             {"cuadra", cuadra}},
+            cuadra};
 }
 
 std::string enPalabras(const std::string &veredicto, const Lienzo &l, const Contenido &antes,
@@ -209,18 +200,23 @@ std::string enPalabras(const std::string &veredicto, const Lienzo &l, const Cont
         return "no pasa la plantilla: hay " + std::to_string(antes.plantilla.value_or(0)) + " y se pide " +
                constante(GL_STENCIL_FUNC) + " " + std::to_string(pideLaPlantilla());
     if (veredicto == "profundidad" && f && antes.profundidad)
-        return "oculto: su profundidad es " + cifras(double(f->profundidad)) + " y había " +
-               cifras(*antes.profundidad) + " (" + constante(GL_DEPTH_FUNC) + ")";
+        return "oculto: su profundidad es " + cifras(double(f->profundidad), 6) + " y había " +
+               cifras(*antes.profundidad, 6) + " (" + constante(GL_DEPTH_FUNC) + ")";
     return veredicto == "profundidad" ? "oculto (" + constante(GL_DEPTH_FUNC) + ")" : "escrito";
 }
 
 Suceso suceso(int numero, const Lienzo &l, const std::string &veredicto, const std::string &dice,
               const Contenido &antes, const Contenido &despues) {
-    Json s;
-    s.pon("orden", numero).pon("veredicto", veredicto).pon("dice", dice).pon("framebuffer", l.nombre);
-    s.pon("antes", antes.color).pon("despues", despues.color);
-    s.pon("profundidadAntes", antes.profundidad).pon("profundidadDespues", despues.profundidad);
-    s.pon("plantillaAntes", antes.plantilla).pon("plantillaDespues", despues.plantilla);
+    const Json s = {{"orden", numero},
+                    {"veredicto", veredicto},
+                    {"dice", dice},
+                    {"framebuffer", l.nombre},
+                    {"antes", antes.color},
+                    {"despues", despues.color},
+                    {"profundidadAntes", antes.profundidad},
+                    {"profundidadDespues", despues.profundidad},
+                    {"plantillaAntes", antes.plantilla},
+                    {"plantillaDespues", despues.plantilla}};
     return {numero, l.nombre, veredicto, -1, despues.color, s};
 }
 
@@ -250,7 +246,7 @@ Suceso hazPrimitiva(const Pregunta &q, const Sueltas &s, int numero, int cual, c
     if (que == "escrito" && antes.color && despues.color && !q.lienzo.muestras) {
         const auto [suya, cuadra] = mezcla(*f, *antes.color, *despues.color, q.lienzo);
         if (cuadra || !EN_WEB || !entero(GL_SAMPLES)) // si la ventana tiene muestras, puede cubrirlo en parte
-            json.pon("mezcla", suya);
+            json.pon("mezcla", suya), hecho.cambia = antes.color != despues.color || !glIsEnabled(GL_BLEND);
     }
     return hecho;
 }
@@ -342,20 +338,17 @@ void hazYCuenta(const Orden &o, int numero, const Lienzo &l, Punto p, std::vecto
         return dibuja(o, numero, l, p, sucesos);
     if (o.que == Orden::Que::Copia && !enDestino(o, p))
         return o.hazla();
-    const bool fuera = glIsEnabled(GL_SCISSOR_TEST) && !enRecorte(p),
-               conColor = o.buferes & GL_COLOR_BUFFER_BIT;
-    GLboolean escribe[4];
-    glGetBooleanv(GL_COLOR_WRITEMASK, escribe);
-    const bool mascara =
-        o.que == Orden::Que::Borra && !(escribe[0] || escribe[1] || escribe[2] || escribe[3]);
+    const bool fuera = glIsEnabled(GL_SCISSOR_TEST) && !enRecorte(p);
+    const bool mascara = o.que == Orden::Que::Borra && !escribeColor();
     const Contenido antes = lee(l, p);
     o.hazla();
-    const bool escribeColor = conColor && !mascara && l.buferColor != GL_NONE;
-    const char *const que = fuera ? "recorte" : escribeColor ? "escrito" : "mascara";
+    const bool conColor = (o.buferes & GL_COLOR_BUFFER_BIT) != 0,
+               escribe = conColor && !mascara && l.buferColor != GL_NONE;
+    const char *const que = fuera ? "recorte" : escribe ? "escrito" : "mascara";
     const std::string hecho = o.que == Orden::Que::Borra ? "borrado" : "copiado de otro framebuffer";
-    const std::string dice = escribeColor && !fuera ? hecho
-                             : !conColor && !fuera  ? hecho + ", pero no el color"
-                                                    : enPalabras(que, l, antes, {});
+    const std::string dice = escribe && !fuera     ? hecho
+                             : !conColor && !fuera ? hecho + ", pero no el color"
+                                                   : enPalabras(que, l, antes, {});
     sucesos.push_back(suceso(numero, l, que, dice, antes, lee(l, p)));
 }
 

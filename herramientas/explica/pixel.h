@@ -12,6 +12,7 @@ struct Suceso {
     int primitiva; // -1: no es de una
     std::optional<Color> queda;
     Json json;
+    bool cambia = true; // si no es que, mezclado con lo que hay, deja lo mismo
 };
 
 /// Si lo que queda tras el último de ese framebuffer no es ese color, añade que algo que no se sigue lo ha cambiado.

@@ -13,9 +13,7 @@ const std::size_t SE_ENSENAN = 1500;
 Malla posicionesDe(const Orden &orden) {
     const GLuint programa = GLuint(entero(GL_CURRENT_PROGRAM));
     std::optional<Primitivas> p = primitivasDe(orden);
-    std::vector<GLuint> shaders;
-    for (const Fuente &f : fuentesDe(programa))
-        shaders.push_back(f.shader);
+    const std::vector<GLuint> shaders = shadersDe(programa);
     if (!p || p->indices.empty() || shaders.empty() || orden.instancias != 1)
         return {};
     const Guardado guardado;
@@ -43,22 +41,8 @@ Malla posicionesDe(const Orden &orden) {
     p->indices.resize(caben);
     malla.vertices = p->indices;
     const Sueltas s(*p);
-    Puntos &puntos = malla.puntos;
-    puntos.resize(p->indices.size());
-    GLuint bufer;
-    const GLint antes = entero(GL_TRANSFORM_FEEDBACK_BUFFER_BINDING);
-    glGenBuffers(1, &bufer);
-    glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, bufer);
-    const auto bytes = GLsizeiptr(puntos.size() * sizeof puntos[0]);
-    glBufferData(GL_TRANSFORM_FEEDBACK_BUFFER, bytes, nullptr, GL_STREAM_READ);
-    glEnable(GL_RASTERIZER_DISCARD);
     glUseProgram(otro);
-    glBeginTransformFeedback(GL_POINTS);
-    s.dibujaVertices(0, s.primitivas.cuantas());
-    glEndTransformFeedback();
-    glGetBufferSubData(GL_TRANSFORM_FEEDBACK_BUFFER, 0, bytes, puntos.data());
-    glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, GLuint(antes));
-    glDeleteBuffers(1, &bufer);
+    malla.puntos = s.recoge<Puntos::value_type>(0, s.primitivas.cuantas());
     return malla;
 }
 

@@ -93,7 +93,7 @@ std::string acaba(int huecos) {
 } // namespace
 
 std::string preludio(int salidas, bool fragmento, const std::set<std::string> &tipos,
-                     const std::set<std::string> &varian, const std::set<std::size_t> &lecturas) {
+                     const std::set<std::string> &varian, const std::set<std::string> &lecturas) {
     const int huecos = huecosDe(salidas);
     std::string s =
         "#ifdef GL_ES\nprecision highp float;\nprecision highp int;\n#endif\n" +
@@ -109,12 +109,15 @@ std::string preludio(int salidas, bool fragmento, const std::set<std::string> &t
         for (const bool mas : {true, false})
             s += t + (mas ? " explica_mas" : " explica_menos") + "(int n, inout " + t + " x) { " + t +
                  " v = x" + (mas ? "++" : "--") + "; explica_v(n, x); return v; }\n";
-    for (const std::size_t cuantos : lecturas) {
-        const bool conMas = cuantos == 3;
-        s += std::string("vec4 explica_lee(int n, sampler2D s, vec2 c") + (conMas ? ", float mas" : "") +
-             ") { explica_v(n, vec4(dFdx(c), dFdy(c))); explica_v(n + 1, vec3(c, " +
-             (conMas ? "mas" : "0.0") + ")); return explica_v(n + 2, texture(s, c" + (conMas ? ", mas" : "") +
-             ")); }\n";
+    for (const std::string &lectura : lecturas) {
+        const bool conMas = lectura != "texture2",
+                   nivel = lectura == "textureLod3"; // λ es `mas`: un texel por píxel
+        s += "vec4 explica_" + lectura + "(int n, sampler2D s, vec2 c" + (conMas ? ", float mas" : "") +
+             ") { explica_v(n, " +
+             (nivel ? "vec4(1.0 / float(textureSize(s, 0).x), 0.0, 0.0, 1.0 / float(textureSize(s, 0).y))"
+                    : "vec4(dFdx(c), dFdy(c))") +
+             "); explica_v(n + 1, vec3(c, " + (conMas ? "mas" : "0.0") + ")); return explica_v(n + 2, " +
+             lectura.substr(0, lectura.size() - 1) + "(s, c" + (conMas ? ", mas" : "") + ")); }\n";
     }
     return s;
 }

@@ -14,9 +14,6 @@ void anade(GLenum modo, const Indices &v, Indices &salen) {
             salen.push_back(v[i]);
     };
     switch (modo) {
-    case GL_POINTS: salen.insert(salen.end(), v.begin(), v.end()); break;
-    case GL_LINES: salen.insert(salen.end(), v.begin(), v.end() - long(n % 2)); break;
-    case GL_TRIANGLES: salen.insert(salen.end(), v.begin(), v.end() - long(n % 3)); break;
     case GL_LINE_LOOP:
     case GL_LINE_STRIP:
         for (std::size_t i = 1; i < n; ++i)
@@ -32,7 +29,7 @@ void anade(GLenum modo, const Indices &v, Indices &salen) {
         for (std::size_t i = 2; i < n; ++i)
             pon({0, i - 1, i});
         break;
-    default: break;
+    default: salen.insert(salen.end(), v.begin(), v.end() - long(n % (modo == GL_TRIANGLES ? 3 : modo + 1)));
     }
 }
 
@@ -40,16 +37,10 @@ void anade(GLenum modo, const Indices &v, Indices &salen) {
 
 std::optional<Primitivas> sueltas(GLenum modo, const Indices &indices, std::optional<GLuint> reinicia) {
     Primitivas p;
-    switch (modo) {
-    case GL_POINTS: break;
-    case GL_LINES:
-    case GL_LINE_LOOP:
-    case GL_LINE_STRIP: p.modo = GL_LINES, p.vertices = 2; break;
-    case GL_TRIANGLES:
-    case GL_TRIANGLE_STRIP:
-    case GL_TRIANGLE_FAN: p.modo = GL_TRIANGLES, p.vertices = 3; break;
-    default: return {};
-    }
+    if (modo > GL_TRIANGLE_FAN)
+        return {};
+    if (modo != GL_POINTS)
+        p.modo = modo < GL_TRIANGLES ? GL_LINES : GL_TRIANGLES, p.vertices = modo < GL_TRIANGLES ? 2 : 3;
     auto desde = indices.begin();
     while (desde != indices.end()) {
         const auto hasta = reinicia ? std::find(desde, indices.end(), *reinicia) : indices.end();

@@ -1,5 +1,7 @@
 #include "programas.h"
 #include "enviado.h"
+#include "nombres.h"
+#include "tipos.h"
 #include <algorithm>
 #include <cctype>
 #include <map>
@@ -13,10 +15,9 @@ std::vector<Fuente> fuentesDe(GLuint programa) {
     if (programa)
         glGetAttachedShaders(programa, 8, &n, shaders);
     for (GLsizei i = 0; i < n; ++i) {
-        GLint tipo = 0, largo = 0;
-        glGetShaderiv(shaders[i], GL_SHADER_TYPE, &tipo);
-        glGetShaderiv(shaders[i], GL_SHADER_SOURCE_LENGTH, &largo);
-        largo *= 4; // el de Emscripten es en letras, y no en bytes
+        const GLint tipo = contesta(glGetShaderiv, shaders[i], GL_SHADER_TYPE);
+        const GLint largo =
+            4 * contesta(glGetShaderiv, shaders[i], GL_SHADER_SOURCE_LENGTH); // Emscripten da letras
         GLsizei escritos = 0;
         std::string texto(std::size_t(largo), '\0');
         glGetShaderSource(shaders[i], largo, &escritos, texto.data());
@@ -24,6 +25,31 @@ std::vector<Fuente> fuentesDe(GLuint programa) {
         fuentes.push_back({GLenum(tipo), shaders[i], texto});
     }
     return fuentes;
+}
+
+std::vector<GLuint> shadersDe(GLuint programa) {
+    std::vector<GLuint> shaders;
+    for (const Fuente &f : fuentesDe(programa))
+        shaders.push_back(f.shader);
+    return shaders;
+}
+
+std::string fuenteDe(GLuint programa, GLenum tipo) {
+    std::string texto;
+    for (const Fuente &f : fuentesDe(programa))
+        texto += f.tipo == tipo ? f.texto : "";
+    return texto;
+}
+
+GLuint compila(GLenum tipo, const std::string &fuente) {
+    const GLuint shader = glCreateShader(tipo);
+    const GLchar *const texto = fuente.c_str();
+    glShaderSource(shader, 1, &texto, nullptr);
+    glCompileShader(shader);
+    if (contesta(glGetShaderiv, shader, GL_COMPILE_STATUS))
+        return shader;
+    glDeleteShader(shader);
+    return 0;
 }
 
 bool nombra(const std::string &texto, const std::string &palabra) {
@@ -38,9 +64,7 @@ bool nombra(const std::string &texto, const std::string &palabra) {
 
 std::vector<Variable> uniformsDe(GLuint programa) {
     std::vector<Variable> variables;
-    GLint n = 0;
-    glGetProgramiv(programa, GL_ACTIVE_UNIFORMS, &n);
-    for (GLint i = 0; i < n; ++i) {
+    for (GLint i = 0; i < contesta(glGetProgramiv, programa, GL_ACTIVE_UNIFORMS); ++i) {
         GLchar nombre[256];
         GLint elementos = 0;
         GLenum tipo = 0;
@@ -61,9 +85,7 @@ std::vector<Variable> uniformsDe(GLuint programa) {
 
 std::vector<Variable> atributosDe(GLuint programa) {
     std::vector<Variable> variables;
-    GLint n = 0;
-    glGetProgramiv(programa, GL_ACTIVE_ATTRIBUTES, &n);
-    for (GLint i = 0; i < n; ++i) {
+    for (GLint i = 0; i < contesta(glGetProgramiv, programa, GL_ACTIVE_ATTRIBUTES); ++i) {
         GLchar nombre[256];
         GLint elementos = 0;
         GLenum tipo = 0;
@@ -77,9 +99,7 @@ std::vector<Variable> atributosDe(GLuint programa) {
 
 std::vector<Bloque> bloquesDe(GLuint programa) {
     std::vector<Bloque> bloques;
-    GLint n = 0;
-    glGetProgramiv(programa, GL_ACTIVE_UNIFORM_BLOCKS, &n);
-    for (GLint i = 0; i < n; ++i) {
+    for (GLint i = 0; i < contesta(glGetProgramiv, programa, GL_ACTIVE_UNIFORM_BLOCKS); ++i) {
         GLchar nombre[256];
         GLint enlace = 0;
         glGetActiveUniformBlockName(programa, GLuint(i), sizeof nombre, nullptr, nombre);
@@ -91,53 +111,10 @@ std::vector<Bloque> bloquesDe(GLuint programa) {
 
 namespace {
 
-struct Envia {
-    int componentes;
-    bool entero;
-    void (*pon)(GLint donde, const void *valor);
-};
-
-#define DE_FLOAT(funcion) [](GLint d, const void *v) { funcion(d, 1, static_cast<const GLfloat *>(v)); }
-#define DE_MATRIZ(funcion)                                                                                   \
-    [](GLint d, const void *v) { funcion(d, 1, GL_FALSE, static_cast<const GLfloat *>(v)); }
-#define DE_ENTERO(funcion) [](GLint d, const void *v) { funcion(d, 1, static_cast<const GLint *>(v)); }
-#define DE_NATURAL(funcion) [](GLint d, const void *v) { funcion(d, 1, static_cast<const GLuint *>(v)); }
-
-const std::map<GLenum, Envia> ENVIOS = {
-    {GL_FLOAT, {1, false, DE_FLOAT(glUniform1fv)}},
-    {GL_FLOAT_VEC2, {2, false, DE_FLOAT(glUniform2fv)}},
-    {GL_FLOAT_VEC3, {3, false, DE_FLOAT(glUniform3fv)}},
-    {GL_FLOAT_VEC4, {4, false, DE_FLOAT(glUniform4fv)}},
-    {GL_FLOAT_MAT2, {4, false, DE_MATRIZ(glUniformMatrix2fv)}},
-    {GL_FLOAT_MAT3, {9, false, DE_MATRIZ(glUniformMatrix3fv)}},
-    {GL_FLOAT_MAT4, {16, false, DE_MATRIZ(glUniformMatrix4fv)}},
-    {GL_FLOAT_MAT2x3, {6, false, DE_MATRIZ(glUniformMatrix2x3fv)}},
-    {GL_FLOAT_MAT3x2, {6, false, DE_MATRIZ(glUniformMatrix3x2fv)}},
-    {GL_FLOAT_MAT2x4, {8, false, DE_MATRIZ(glUniformMatrix2x4fv)}},
-    {GL_FLOAT_MAT4x2, {8, false, DE_MATRIZ(glUniformMatrix4x2fv)}},
-    {GL_FLOAT_MAT3x4, {12, false, DE_MATRIZ(glUniformMatrix3x4fv)}},
-    {GL_FLOAT_MAT4x3, {12, false, DE_MATRIZ(glUniformMatrix4x3fv)}},
-    {GL_INT_VEC2, {2, true, DE_ENTERO(glUniform2iv)}},
-    {GL_INT_VEC3, {3, true, DE_ENTERO(glUniform3iv)}},
-    {GL_INT_VEC4, {4, true, DE_ENTERO(glUniform4iv)}},
-    {GL_BOOL_VEC2, {2, true, DE_ENTERO(glUniform2iv)}},
-    {GL_BOOL_VEC3, {3, true, DE_ENTERO(glUniform3iv)}},
-    {GL_BOOL_VEC4, {4, true, DE_ENTERO(glUniform4iv)}},
-    {GL_UNSIGNED_INT, {1, true, DE_NATURAL(glUniform1uiv)}},
-    {GL_UNSIGNED_INT_VEC2, {2, true, DE_NATURAL(glUniform2uiv)}},
-    {GL_UNSIGNED_INT_VEC3, {3, true, DE_NATURAL(glUniform3uiv)}},
-    {GL_UNSIGNED_INT_VEC4, {4, true, DE_NATURAL(glUniform4uiv)}},
-};
-const Envia SUELTO = {1, true, DE_ENTERO(glUniform1iv)}; // int, bool y los sampler
-
-const Envia &envioDe(GLenum tipo) {
-    const auto hallado = ENVIOS.find(tipo);
-    return hallado == ENVIOS.end() ? SUELTO : hallado->second;
-}
-
 union Valor {
     GLfloat real[16];
     GLint entero[16];
+    GLuint natural[16];
 };
 
 void lee(GLuint programa, const Variable &v, Valor &valor) {
@@ -147,14 +124,37 @@ void lee(GLuint programa, const Variable &v, Valor &valor) {
         glGetUniformfv(programa, v.donde, valor.real);
 }
 
+void da(GLint donde, GLenum tipo, const Valor &valor) {
+    using Enteros = decltype(&glUniform1iv);
+    using Reales = decltype(&glUniform1fv);
+    using Matrices = decltype(&glUniformMatrix2fv);
+    const Enteros DE_ENTEROS[] = {glUniform1iv, glUniform2iv, glUniform3iv, glUniform4iv};
+    const decltype(&glUniform1uiv) DE_NATURALES[] = {glUniform1uiv, glUniform2uiv, glUniform3uiv,
+                                                     glUniform4uiv};
+    const Reales DE_REALES[] = {glUniform1fv, glUniform2fv, glUniform3fv, glUniform4fv};
+    const Matrices DE_MATRICES[][3] = {{glUniformMatrix2fv, glUniformMatrix2x3fv, glUniformMatrix2x4fv},
+                                       {glUniformMatrix3x2fv, glUniformMatrix3fv, glUniformMatrix3x4fv},
+                                       {glUniformMatrix4x2fv, glUniformMatrix4x3fv, glUniformMatrix4fv}};
+    const Forma f = forma(tipoDe(tipo));
+    if (f.columnas > 1)
+        DE_MATRICES[f.columnas - 2][f.filas - 2](donde, 1, GL_FALSE, valor.real);
+    else if (f.escalar == "float")
+        DE_REALES[f.filas - 1](donde, 1, valor.real);
+    else if (f.escalar == "uint")
+        DE_NATURALES[f.filas - 1](donde, 1, valor.natural);
+    else // int, bool y los sampler
+        DE_ENTEROS[f.filas - 1](donde, 1, valor.entero);
+}
+
 } // namespace
 
 int componentesDe(GLenum tipo) {
-    return envioDe(tipo).componentes;
+    const Forma f = forma(tipoDe(tipo));
+    return f.columnas * f.filas;
 }
 
 bool esEntero(GLenum tipo) {
-    return envioDe(tipo).entero;
+    return forma(tipoDe(tipo)).escalar != "float";
 }
 
 void daOtroValor(const Variable &uniform) {
@@ -164,7 +164,7 @@ void daOtroValor(const Variable &uniform) {
             valor.entero[i] = 1 + i;
         else
             valor.real[i] = 0.3f + 0.17f * float((5 * i) % 16);
-    envioDe(uniform.tipo).pon(uniform.donde, &valor);
+    da(uniform.donde, uniform.tipo, valor);
 }
 
 std::vector<double> valorDe(GLuint programa, const Variable &uniform) {
@@ -185,7 +185,7 @@ Desconocidas copiaUniforms(GLuint original, GLuint otro) {
     glUseProgram(otro);
     for (std::size_t i = 0; i < uniforms.size(); ++i)
         if (const GLint donde = glGetUniformLocation(otro, uniforms[i].nombre.c_str()); donde >= 0)
-            envioDe(uniforms[i].tipo).pon(donde, &valores[i]);
+            da(donde, uniforms[i].tipo, valores[i]);
     for (const Bloque &bloque : bloquesDe(original)) {
         const GLuint suyo = glGetUniformBlockIndex(otro, bloque.nombre.c_str());
         if (suyo != GL_INVALID_INDEX)
@@ -204,9 +204,7 @@ GLuint enlazaComo(GLuint original, const std::vector<GLuint> &shaders,
         ataComo(original, programa);
         glLinkProgram(programa);
     }
-    GLint enlazado = GL_FALSE;
-    glGetProgramiv(programa, GL_LINK_STATUS, &enlazado);
-    if (enlazado)
+    if (contesta(glGetProgramiv, programa, GL_LINK_STATUS))
         return programa;
     glDeleteProgram(programa);
     return 0;
@@ -239,13 +237,10 @@ GLuint sinDescartar(GLuint original) {
                 shaders.push_back(f.shader);
         if (shaders.empty())
             return 0;
-        const char *const texto = "#version 140\nout vec4 color;\nvoid main() {\n    color = vec4(1.0);\n}\n";
-        const GLuint fragmento = glCreateShader(GL_FRAGMENT_SHADER);
-        glShaderSource(fragmento, 1, &texto, nullptr);
-        glCompileShader(fragmento);
-        shaders.push_back(fragmento);
+        shaders.push_back(compila(GL_FRAGMENT_SHADER,
+                                  "#version 140\nout vec4 color;\nvoid main() { color = vec4(1.0); }\n"));
         const GLuint hecho = enlazaComo(original, shaders);
-        glDeleteShader(fragmento);
+        glDeleteShader(shaders.back());
         return hecho;
     });
 }

@@ -18,6 +18,12 @@ struct Fuente {
 /// Los shaders de un programa; ninguno si ya se los han quitado.
 std::vector<Fuente> fuentesDe(GLuint programa);
 
+std::vector<GLuint> shadersDe(GLuint programa);
+std::string fuenteDe(GLuint programa, GLenum tipo);
+
+/// El shader de esa fuente, o 0 si no compila.
+GLuint compila(GLenum tipo, const std::string &fuente);
+
 /// Si está esa palabra en el texto de un shader.
 bool nombra(const std::string &texto, const std::string &palabra);
 

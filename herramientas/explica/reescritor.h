@@ -16,6 +16,17 @@ struct Expresion {
     bool lugar = false; // si es una variable o una parte suya
     bool efectos = false; // si calcularla dos veces no da lo mismo
     std::size_t desde = 0, hasta = 0;
+
+    void yaNoEsLugar() {
+        tipo = {};
+        lugar = false;
+    }
+    void sigue(const std::string &signo, const Expresion &otra) {
+        texto += signo + otra.texto;
+        efectos |= otra.efectos;
+        hasta = otra.hasta;
+        yaNoEsLugar();
+    }
 };
 
 /// Lo que nombra un nombre: una variable o una estructura.
@@ -70,7 +81,8 @@ private:
     // Lo que sale
     Reescrito r;
     std::set<std::string> tipos, varian;
-    std::set<std::size_t> lecturas; // de texture(), con cuántos argumentos
+    std::set<std::string> lecturas; // «texture2», «textureLod3»: con cuántos argumentos
+    std::map<std::string, std::set<std::string>> llegan; // a cada parámetro, «funcion/0», qué texturas
     std::string alEmpezar, alAcabar;
     std::set<std::string> daba; // las salidas de un fragment shader, que pasan a ser variables como las demás
 
@@ -113,7 +125,9 @@ private:
     Expresion primaria();
     Expresion llamada(bool construye);
     std::vector<Expresion> argumentos(const std::string &funcion);
-    void apuntaLectura(Expresion &e, const std::vector<Expresion> &dados);
+    void apuntaLectura(const std::string &funcion, Expresion &e, const std::vector<Expresion> &dados);
+    std::string texturaDe(const Expresion &e) const;
+    std::set<std::string> deDonde(const std::string &textura, int quedan) const;
     void trasPosfijo(Expresion &e);
     void apuntaAsignacion(Expresion &a, const std::string &lugar, bool repetible, bool toda);
 
@@ -123,7 +137,8 @@ private:
     Cabeza cabeza();
     void calificador(Cabeza &c);
     std::string defineEstructura(Tipo &tipo);
-    std::string corchetes(Tipo &tipo); // los de un array, si los hay
+    bool conoce(std::size_t desde, std::size_t hasta, long long &valor) const; // de una constante entera
+    std::string corchetes(Tipo &tipo);                                         // los de un array, si los hay
     std::string declaracion(const Cabeza &c, std::string &despues);
     std::string inicial(const Cabeza &c, std::size_t nombre, Tipo &tipo, std::string &despues);
     std::string global();

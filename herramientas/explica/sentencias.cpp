@@ -73,6 +73,9 @@ std::string Reescritor::condicion(Clase clase) {
         antes = c.texto + " " + p[variable].texto + " = ";
         nombre = p[variable].texto;
         declara(variable, c.tipo);
+    } else if (es(";")) {
+        valor = "true";
+        nombre = "for (;;)";
     } else {
         const Expresion e = expresion();
         valor = "( " + e.texto + " )";
@@ -98,20 +101,14 @@ std::string Reescritor::si() {
 }
 
 std::string Reescritor::para() {
-    const Palabra &donde = p[i++];
+    ++i;
     std::string s = "for ( ", despues;
     exige("(");
     abre();
     if (!es(";"))
         s += empiezaDeclaracion() ? declaracion(cabeza(), despues) : expresion().texto;
     exige(";");
-    s += " ; ";
-    if (!es(";")) {
-        s += condicion(Clase::Vuelta);
-    } else {
-        const std::string si = envuelve(Clase::Vuelta, donde, "for (;;)", {"bool", nullptr, 0}, "true");
-        s += apariciones["discard"] ? "explica_sigue ( " + si + " )" : si;
-    }
+    s += " ; " + condicion(Clase::Vuelta);
     exige(";");
     s += " ; ";
     if (!es(")"))

@@ -14,7 +14,8 @@ const int SALIDAS = 6;           // las que salen cada vez
 const long PASOS = 4000;         // los que se apuntan, como mucho
 const std::size_t LECTURAS = 64; // de texturas, que se explican
 
-using Salidas = std::vector<std::array<float, 4 * SALIDAS>>; // de cada vértice, o del fragmento
+using Salida = std::array<float, 4 * SALIDAS>; // de un vértice, o del fragmento
+using Salidas = std::vector<Salida>;
 
 // Un programa con uno de los dos shaders reescrito.
 struct Reescribible {
@@ -23,20 +24,6 @@ struct Reescribible {
     Desconocidas desconocidas;
     std::string motivo; // por qué no se puede
 };
-
-// El shader de esa fuente, o 0 si no compila.
-GLuint compila(GLenum tipo, const std::string &fuente) {
-    const GLuint shader = glCreateShader(tipo);
-    const GLchar *const texto = fuente.c_str();
-    glShaderSource(shader, 1, &texto, nullptr);
-    glCompileShader(shader);
-    GLint compila = GL_FALSE;
-    glGetShaderiv(shader, GL_COMPILE_STATUS, &compila);
-    if (compila)
-        return shader;
-    glDeleteShader(shader);
-    return 0;
-}
 
 // Si OpenGL define ese nombre en un shader que empieza así: se le pregunta una vez.
 bool define(const std::string &cabecera, const std::string &nombre) {
@@ -93,44 +80,6 @@ Reescribible reescribeEn(GLuint original, Etapa etapa) {
     glDeleteShader(nuevo);
     return r;
 }
-
-// Lo que apuntan los vértices de la primitiva: se recoge sin rasterizar.
-class Vertices {
-    const Sueltas &sueltas;
-    int cual;
-    GLuint bufer = 0;
-
-public:
-    Vertices(const Sueltas &s, int primitiva) : sueltas(s), cual(primitiva) {
-        glGenBuffers(1, &bufer);
-        const GLint antes = entero(GL_TRANSFORM_FEEDBACK_BUFFER_BINDING);
-        glBindBuffer(GL_TRANSFORM_FEEDBACK_BUFFER, bufer); // WebGL no deja que además lo sea de otra cosa
-        glBufferData(GL_TRANSFORM_FEEDBACK_BUFFER,
-                     GLsizeiptr(sizeof(float)) * 4 * SALIDAS * s.primitivas.vertices, nullptr,
-                     GL_STREAM_READ);
-        glBindBuffer(GL_TRANSFORM_FEEDBACK_BUFFER, GLuint(antes));
-    }
-    ~Vertices() {
-        glDeleteBuffers(1, &bufer);
-    }
-    Vertices(const Vertices &) = delete;
-    Vertices &operator=(const Vertices &) = delete;
-
-    Salidas operator()() const {
-        const GLint antes = entero(GL_TRANSFORM_FEEDBACK_BUFFER_BINDING);
-        glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, bufer);
-        glEnable(GL_RASTERIZER_DISCARD);
-        glBeginTransformFeedback(GL_POINTS);
-        sueltas.dibujaVertices(cual, cual + 1);
-        glEndTransformFeedback();
-        glDisable(GL_RASTERIZER_DISCARD);
-        Salidas salidas(std::size_t(sueltas.primitivas.vertices));
-        glGetBufferSubData(GL_TRANSFORM_FEEDBACK_BUFFER, 0, GLsizeiptr(salidas.size() * sizeof salidas[0]),
-                           salidas.data());
-        glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, GLuint(antes));
-        return salidas;
-    }
-};
 
 // Lo que apunta el fragmento: se dibuja en varios framebuffers de float a la vez.
 class Fragmento {
@@ -265,21 +214,21 @@ std::vector<Traza> trazas(const Reescribible &r, const Ejecuta &ejecuta) {
 const char *nombreClase(Clase clase) {
     const char *const NOMBRES[] = {"entrada",  "global", "declara",  "asigna",    "condicion",
                                    "vuelta",   "caso",   "entra",    "argumento", "sale",
-                                   "devuelve", "vuelve", "descarta", "salida",    "lee"};
+                                   "devuelve", "vuelve", "descarta", "salida"};
     return NOMBRES[int(clase)];
 }
 
 std::vector<Json> lineas(const Traza &traza) {
     std::vector<Json> lista;
     for (const Paso &p : traza.apuntado) {
-        if (p.nota->clase == Clase::Lee)
+        if (p.nota->clase >= Clase::Lee)
             continue; // va aparte
-        Json linea;
-        linea.pon("linea", p.nota->linea)
-            .pon("clase", nombreClase(p.nota->clase))
-            .pon("nombre", p.nota->nombre);
-        linea.pon("tipo", p.nota->tipo).pon("funcion", p.nota->funcion).pon("valor", p.valor);
-        lista.push_back(linea);
+        lista.push_back({{"linea", p.nota->linea},
+                         {"clase", nombreClase(p.nota->clase)},
+                         {"nombre", p.nota->nombre},
+                         {"tipo", p.nota->tipo},
+                         {"funcion", p.nota->funcion},
+                         {"valor", p.valor}});
     }
     return lista;
 }
@@ -291,29 +240,37 @@ Json enJsonDe(const Reescribible &r, const Traza &traza) {
     for (const Paso &p : traza.apuntado)
         if (p.valor.empty() && p.nota->tipo != "void")
             sinSeguir.push_back(Json().pon("linea", p.nota->linea).pon("motivo", r.desconocidas.motivo()));
-    Json json;
     std::vector<int>
         apuntables; // las líneas en que puede pasar algo: las que no están entre las otras no se ejecutan
     for (const Nota &nota : r.reescrito.notas)
-        if (!nota.funcion.empty() && nota.clase != Clase::Lee &&
+        if (!nota.funcion.empty() && nota.clase < Clase::Lee &&
             (apuntables.empty() || apuntables.back() != nota.linea))
             apuntables.push_back(nota.linea);
-    json.pon("pasos", traza.pasos).pon("lineas", lineas(traza)).pon("sinSeguir", sinSeguir);
-    json.pon("apuntables", apuntables);
-    return json.pon("motivo", r.motivo);
+    return {{"pasos", traza.pasos},
+            {"lineas", lineas(traza)},
+            {"sinSeguir", sinSeguir},
+            {"apuntables", apuntables},
+            {"motivo", r.motivo}};
 }
 
 std::vector<Json> lecturasDe([[maybe_unused]] GLuint programa,
                              [[maybe_unused]] const std::vector<Paso> &pasos) {
     std::vector<Json> lista;
 #ifndef __EMSCRIPTEN__ // ahí las texturas no se pueden leer así
-    for (std::size_t i = 0; i + 2 < pasos.size() && lista.size() < LECTURAS; ++i) {
-        const Paso &uno = pasos[i], &otro = pasos[i + 1], &ultimo = pasos[i + 2];
-        if (uno.nota->clase != Clase::Lee)
+    for (std::size_t i = 0; i < pasos.size() && lista.size() < LECTURAS; ++i) {
+        const Nota &nota = *pasos[i].nota;
+        if (nota.clase == Clase::SinSeguir)
+            lista.push_back(
+                {{"linea", nota.linea},
+                 {"escrito", nota.nombre},
+                 {"valor", pasos[i].valor},
+                 {"motivo", "no sé de qué texels sale: solo sigo texture y textureLod de un sampler2D"}});
+        if (nota.clase != Clase::Lee || i + 2 >= pasos.size())
             continue;
-        if (!uno.valor.empty() && !otro.valor.empty() && !ultimo.valor.empty())
-            lista.push_back(deLectura(programa, {uno.nota->linea, uno.nota->nombre, otro.nota->nombre,
-                                                 uno.valor, otro.valor, ultimo.valor}));
+        const Paso &otro = pasos[i + 1], &ultimo = pasos[i + 2];
+        if (!pasos[i].valor.empty() && !otro.valor.empty() && !ultimo.valor.empty())
+            lista.push_back(deLectura(programa, {nota.linea, nota.nombre, otro.nota->nombre, pasos[i].valor,
+                                                 otro.valor, ultimo.valor}));
         i += 2;
     }
 #endif
@@ -331,8 +288,7 @@ void reparte(Pesos &pesos) {
 // Lo que pesa cada vértice en el centro del píxel, con perspectiva y sin ella. La combinación de los tres puntos que se
 // proyecta ahí se halla sin dividir por w, que en un vértice de detrás de la cámara no es positiva.
 std::array<Pesos, 2> pesosDe(const std::array<std::vector<double>, 3> &posiciones, Punto p) {
-    GLint v[4];
-    glGetIntegerv(GL_VIEWPORT, v);
+    const auto v = cuatro(GL_VIEWPORT);
     const double X = 2 * (p.x + 0.5 - v[0]) / v[2] - 1, Y = 2 * (p.y + 0.5 - v[1]) / v[3] - 1;
     std::array<std::array<double, 2>, 3> a{};
     for (std::size_t i = 0; i < 3; ++i)
@@ -375,17 +331,9 @@ std::vector<Json> interpola(const std::vector<Traza> &vertices, const Traza &fra
                 suma[k] += pesos[i] * suyo->valor[k];
         }
         if (estan)
-            lista.push_back(
-                Json().pon("nombre", p.nota->nombre).pon("interpolado", suma).pon("valor", p.valor));
+            lista.push_back({{"nombre", p.nota->nombre}, {"interpolado", suma}, {"valor", p.valor}});
     }
     return lista;
-}
-
-std::string fuenteDe(GLuint programa, GLenum tipo) {
-    for (const Fuente &f : fuentesDe(programa))
-        if (f.tipo == tipo)
-            return f.texto;
-    return "";
 }
 
 } // namespace
@@ -403,7 +351,7 @@ Json sombrea(const Orden &orden, const Lienzo &l, Punto p, int primitiva) {
                        deVertices = reescribeEn(programa, Etapa::Vertices);
     std::vector<Traza> vertices;
     if (deVertices.motivo.empty())
-        vertices = trazas(deVertices, Vertices(s, primitiva));
+        vertices = trazas(deVertices, [&] { return s.recoge<Salida>(primitiva, primitiva + 1); });
     Traza fragmento;
     if (deFragmento.motivo.empty())
         fragmento = trazas(deFragmento, Fragmento(s, primitiva, l, p))[0];

@@ -13,29 +13,18 @@ namespace {
 const int SEGURO = 2, SI_NO_SE_VE_NADA = 1; // con la ventana lisa se dice todo
 const int MUCHAS = 40;                      // órdenes: de las que siguen no se miran los colores
 
-// Los colores que da el shader donde se ve lo que dibuja, sin mezclar ni acotar, fila a fila desde abajo; NINGUNO donde
-// no dibuja nada.
-using Pixel = std::array<float, 4>;
-const Pixel NINGUNO = {-12345, 0, 0, -1};
-
+// Los colores que da el shader donde se ve lo que dibuja, fila a fila desde abajo.
 std::vector<Pixel> coloresDe(const Orden &o, const Lienzo &l) {
     const Guardado g;
     abreAparte(l);
     glDisable(GL_SCISSOR_TEST);
     glDisable(GL_STENCIL_TEST);
-    glDisable(GL_BLEND);
-    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glDepthMask(GL_TRUE);
-    glClearBufferfv(GL_COLOR, 0, NINGUNO.data());
     if (l.bitsProfundidad)
         deVerdad().borra(GL_DEPTH_BUFFER_BIT);
     else
         glDisable(GL_DEPTH_TEST);
-    o.hazla();
-    std::vector<Pixel> colores(std::size_t(l.ancho) * std::size_t(l.alto));
-    glReadBuffer(GL_COLOR_ATTACHMENT0);
-    glReadPixels(0, 0, l.ancho, l.alto, GL_RGBA, GL_FLOAT, colores.data());
-    return colores;
+    return coloresAparte(0, 0, l.ancho, l.alto, o.hazla);
 }
 
 // Si lo que dibuja depende de ese uniform.
@@ -43,12 +32,7 @@ bool importa(const Orden &o, Lienzo l, const Variable &uniform) {
     const GLuint original = GLuint(entero(GL_CURRENT_PROGRAM));
     l.bitsProfundidad = 0;
     const Guardado guardado;
-    const GLuint otro = gemelo(original, "igual", [&] {
-        std::vector<GLuint> shaders;
-        for (const Fuente &f : fuentesDe(original))
-            shaders.push_back(f.shader);
-        return enlazaComo(original, shaders);
-    });
+    const GLuint otro = gemelo(original, "igual", [&] { return enlazaComo(original, shadersDe(original)); });
     if (!otro)
         return true;
     glDisable(GL_CULL_FACE);
@@ -61,10 +45,7 @@ bool importa(const Orden &o, Lienzo l, const Variable &uniform) {
 }
 
 std::string fuentesDelPrograma(GLenum tipo) {
-    std::string texto;
-    for (const Fuente &f : fuentesDe(GLuint(entero(GL_CURRENT_PROGRAM))))
-        texto += f.tipo == tipo ? f.texto : "";
-    return texto;
+    return fuenteDe(GLuint(entero(GL_CURRENT_PROGRAM)), tipo);
 }
 
 // Si lo lejano tiene menos profundidad, porque así se pide.
@@ -217,11 +198,9 @@ void Sospechas::deNormales(const Cableado &c, int n) {
             const double mide = largo(N);
             if (mide == 0 || std::fabs(mide - 1) <= 0.01)
                 continue;
-            char cifras[24];
-            std::snprintf(cifras, sizeof cifras, "%.3g", mide);
             return pon(SEGURO, n,
-                       "las normales («" + a.variable.nombre + "») no son unitarias, miden " + cifras +
-                           ", y el shader no las normaliza",
+                       "las normales («" + a.variable.nombre + "») no son unitarias, miden " +
+                           cifras(mide, 3) + ", y el shader no las normaliza",
                        "Falta normalize en el shader, o las da así la matriz con que se transforman.");
         }
     }
@@ -232,8 +211,7 @@ void Sospechas::delEstado(const Orden &o, const Lienzo &l, int n) {
         return pon(
             SEGURO, n, "el framebuffer " + std::to_string(l.nombre) + ", en que se dibuja, no está completo",
             "Le falta una textura o un renderbuffer, o no son de la misma talla: glCheckFramebufferStatus.");
-    GLint v[4];
-    glGetIntegerv(GL_VIEWPORT, v);
+    const auto v = cuatro(GL_VIEWPORT);
     if (v[2] == 0 || v[3] == 0 || v[0] >= l.ancho || v[1] >= l.alto || v[0] + v[2] <= 0 || v[1] + v[3] <= 0)
         pon(SEGURO, n, "el viewport queda fuera o no mide nada",
             "Mira glViewport: ¿en la función de cambio de tamaño?");
@@ -276,9 +254,8 @@ void Sospechas::pon(int gravedad, int orden, const Dicho &dicho) {
 
 void Sospechas::apuntaIndices(const Orden &o) {
     Indices &i = indices[entero(GL_ELEMENT_ARRAY_BUFFER_BINDING)];
-    GLint hay = 0;
-    glGetBufferParameteriv(GL_ELEMENT_ARRAY_BUFFER, GL_BUFFER_SIZE, &hay);
-    i.hay = hay, i.cadaUno = std::intptr_t(bytesDe(o.tipoIndice));
+    i.hay = contesta(glGetBufferParameteriv, GL_ELEMENT_ARRAY_BUFFER, GL_BUFFER_SIZE);
+    i.cadaUno = std::intptr_t(bytesDe(o.tipoIndice));
     for (const Tramo &t : o.tramos)
         i.hasta = std::max(i.hasta, reinterpret_cast<std::intptr_t>(t.indices) + i.cadaUno * t.vertices);
 }
@@ -493,8 +470,7 @@ std::string Sospechas::despues(const Orden &o, const Lienzo &l, const Cableado &
     const auto [corte, prueba] = corteDe(malla.puntos);
     if (!corte.empty())
         pon(SEGURO, n, "en la orden " + std::to_string(n) + ", " + corte, prueba);
-    GLboolean m[4];
-    glGetBooleanv(GL_COLOR_WRITEMASK, m);
+    const auto m = mascaraDeColor();
     if (!m[0] && !m[1] && !m[2])
         pon(SI_NO_SE_VE_NADA, n, "glColorMask no deja escribir el color",
             "Falta glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE).");
@@ -548,11 +524,9 @@ std::vector<Json> Sospechas::todas(bool unColor) {
     for (const Sospecha &s : lista)
         if (noSeVeNada || s.gravedad >= SEGURO)
             salen.push_back(
-                Json()
-                    .pon("orden", s.orden)
-                    .pon("dice",
-                         s.dice + (s.otras ? "; otras " + std::to_string(s.otras) + ", por lo mismo" : ""))
-                    .pon("prueba", s.prueba));
+                {{"orden", s.orden},
+                 {"dice", s.dice + (s.otras ? "; otras " + std::to_string(s.otras) + ", por lo mismo" : "")},
+                 {"prueba", s.prueba}});
     return salen;
 }
 

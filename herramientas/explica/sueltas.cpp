@@ -24,15 +24,27 @@ void Sueltas::dibuja(int desde, int hasta) const {
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, GLuint(antes));
 }
 
-void Sueltas::dibujaVertices(int desde, int hasta) const {
+// Como puntos y sin índices, que con ellos WebGL no deja; los que van seguidos, de una vez.
+void Sueltas::recoge(int desde, int hasta, void *salen, GLsizeiptr bytes) const {
+    GLuint recogido;
+    const GLint antes = entero(GL_TRANSFORM_FEEDBACK_BUFFER_BINDING);
+    glGenBuffers(1, &recogido);
+    glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, recogido);
+    glBufferData(GL_TRANSFORM_FEEDBACK_BUFFER, bytes, nullptr, GL_STREAM_READ);
+    glEnable(GL_RASTERIZER_DISCARD);
+    glBeginTransformFeedback(GL_POINTS);
     const auto &indices = primitivas.indices;
     const auto fin = std::size_t(hasta * primitivas.vertices);
-    for (auto i = std::size_t(desde * primitivas.vertices), j = i; i < fin;
-         i = j) { // los que van seguidos, de una vez
+    for (auto i = std::size_t(desde * primitivas.vertices), j = i; i < fin; i = j) {
         while (++j < fin && indices[j] == indices[i] + (j - i)) {
         }
         deVerdad().dibujaVertices(GL_POINTS, GLint(indices[i]), GLsizei(j - i));
     }
+    glEndTransformFeedback();
+    glDisable(GL_RASTERIZER_DISCARD);
+    glGetBufferSubData(GL_TRANSFORM_FEEDBACK_BUFFER, 0, bytes, salen);
+    glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, GLuint(antes));
+    glDeleteBuffers(1, &recogido);
 }
 
 void soloPregunta(Punto p) {

@@ -10,6 +10,7 @@ struct Punto {
 
 class Sueltas {
     GLuint bufer = 0;
+    void recoge(int desde, int hasta, void *salen, GLsizeiptr bytes) const;
 
 public:
     const Primitivas primitivas;
@@ -21,8 +22,13 @@ public:
 
     /// Desde esa hasta la anterior a `hasta`, con el estado que haya.
     void dibuja(int desde, int hasta) const;
-    /// Sus vértices, como puntos y sin índices, que con transform feedback WebGL no dibuja con ellos.
-    void dibujaVertices(int desde, int hasta) const;
+    /// Lo que da de cada vértice suyo el programa en uso (transform feedback), sin rasterizar.
+    template<class DeCada>
+    std::vector<DeCada> recoge(int desde, int hasta) const {
+        std::vector<DeCada> salen(std::size_t((hasta - desde) * primitivas.vertices));
+        recoge(desde, hasta, salen.data(), GLsizeiptr(salen.size() * sizeof(DeCada)));
+        return salen;
+    }
 };
 
 /// Lo que se dibuje no escribe nada, y de todo solo se rasteriza ese píxel, con las pruebas quitadas.

@@ -15,15 +15,10 @@ const double IGUAL = 1.1 / 255,
              CONTRASTE = 1.0 / 128; // lo que se puede apartar: los pesos pueden ser de 8 bits
 
 GLint parametro(GLenum cual) {
-    GLint valor = 0;
-    glGetTexParameteriv(GL_TEXTURE_2D, cual, &valor);
-    return valor;
+    return contesta(glGetTexParameteriv, GL_TEXTURE_2D, cual);
 }
-
 GLint delNivel(GLint nivel, GLenum cual) {
-    GLint valor = 0;
-    glGetTexLevelParameteriv(GL_TEXTURE_2D, nivel, cual, &valor);
-    return valor;
+    return contesta(glGetTexLevelParameteriv, GL_TEXTURE_2D, nivel, cual);
 }
 
 bool esAnisotropa() {
@@ -210,20 +205,18 @@ std::optional<Suma> laMejor(const Lectura &l) {
 Json enJsonDe(const Suma &s) {
     std::vector<Json> texels, niveles;
     for (const Texel &t : s.texels)
-        texels.push_back(Json()
-                             .pon("nivel", t.nivel)
-                             .pon("texel", std::array<int, 2>{t.x, t.y})
-                             .pon("peso", t.peso)
-                             .pon("color", t.color));
+        texels.push_back({{"nivel", t.nivel},
+                          {"texel", std::array<int, 2>{t.x, t.y}},
+                          {"peso", t.peso},
+                          {"color", t.color}});
     for (const auto &[nivel, peso] : s.mezcla.niveles)
         niveles.push_back(Json().pon("nivel", nivel).pon("peso", peso));
-    return Json()
-        .pon("lambda", s.mezcla.lambda)
-        .pon("filtro", nombreDe(GLenum(s.mezcla.filtro)))
-        .pon("niveles", niveles)
-        .pon("texels", texels)
-        .pon("suma", s.suma)
-        .pon("cuadra", s.cuadra());
+    return {{"lambda", s.mezcla.lambda},
+            {"filtro", nombreDe(GLenum(s.mezcla.filtro))},
+            {"niveles", niveles},
+            {"texels", texels},
+            {"suma", s.suma},
+            {"cuadra", s.cuadra()}};
 }
 
 } // namespace
@@ -247,9 +240,10 @@ Json deLectura(GLuint programa, const Lectura &l) {
     const bool cuadra = suma && suma->cuadra();
     json.pon("linea", l.linea).pon("sampler", l.sampler).pon("escrito", l.escrito).pon("valor", l.valor);
     json.pon("coordenadas", std::array<double, 2>{l.coordenadas[0], l.coordenadas[1]});
-    return json.pon("motivo", cuadra       ? ""
-                              : anisotropa ? "el filtro anisótropo lee más texels, que no sigo"
-                                           : "no sé de qué texels sale");
+    return json.pon("motivo", cuadra              ? ""
+                              : l.sampler.empty() ? "según desde dónde se llama, es una textura u otra"
+                              : anisotropa        ? "el filtro anisótropo lee más texels, que no sigo"
+                                                  : "no sé de qué texels sale");
 }
 
 } // namespace explica

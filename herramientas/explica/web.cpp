@@ -61,7 +61,6 @@ TAPA(void, glBindAttribLocation, (GLuint programa, GLuint donde, const GLchar *n
      nombre)
 TAPA(void, glLinkProgram, (GLuint programa), programa)
 TAPA(GLuint, glCreateProgram, (void), )
-TAPA(void, glUseProgram, (GLuint programa), programa)
 // Las que dan valor a un uniform: de un número, de varios y de una matriz.
 #define VECTOR(forma, Numero)                                                                                \
     TAPA(void, glUniform##forma, (GLint donde, GLsizei n, const Numero *v), donde, n, v)

@@ -23,6 +23,7 @@ import explica  # noqa: E402
 FILA = re.compile(r'^USO\((\w+), "(.*?)"', re.M)
 LISTA = Path(__file__).with_suffix(".inc")
 NO_SE_SABE = {  # y se dice, también en la terminal
+    "lectura_de_dos": "según desde dónde se llama, es una textura u otra",
     "cubo_sin_usar": "depende de lo que el programa aún no usa («cielo»)",
     "listas": "no sé leer «{» en una expresión",
     "nombre_nuestro": "los nombres que empiezan por explica_ los pone esto",

@@ -22,7 +22,9 @@ async function mira([x, y], sabido) {
   escena.quieta = true;
   const antes = lee(), color = [...todo.slice(i, i + 3)], datos = await pagina.explica([x, y]);
   if (!datos) return { mal: [aviso] };
-  const { historia, sombreado, ordenes } = datos, gana = historia.filter(s => s.veredicto === 'escrito').at(-1);
+  const { historia, sombreado, ordenes } = datos, escritos = historia.filter(s => s.veredicto === 'escrito');
+  const cambia = escritos.findLast(s => !s.mezcla?.si || String(s.antes) !== String(s.despues));
+  const gana = cambia?.primitiva === undefined ? escritos.at(-1) : cambia;
   const de = s => s.slice(0, 3).join();
   di(de(datos.color) !== de(color) || de(gana.despues) !== de(color),
     `es (${color}), se dice (${datos.color}) y la historia acaba en (${gana.despues})`);
@@ -36,7 +38,7 @@ async function mira([x, y], sabido) {
     di(s.veredicto !== 'escrito' && de(s.antes) !== de(s.despues), `la orden ${s.orden} no escribe y cambia el color`);
     di(s.mezcla && !s.mezcla.cuadra, `la orden ${s.orden} deja (${s.despues}) y no (${s.mezcla?.suma})`);
   }
-  di(!sombreado !== (gana.primitiva === undefined), 'no es el shader de quien gana');
+  di(sombreado?.primitiva !== gana.primitiva, 'no es el shader de quien gana');
   if (sombreado) {
     const { fragmento, vertices, entradas = [], pesos } = sombreado;
     const ultimo = fragmento.lineas.findLast(l => l.clase === 'salida')?.valor ?? [NaN];
