@@ -39,8 +39,12 @@ def pixeles(imagen):
 
 
 def bordes(colores, ancho):
-    """Qué píxeles no son del color del de su izquierda."""
-    return {i for i in range(1, len(colores)) if i % ancho and colores[i] != colores[i - 1]}
+    """Qué píxeles no son del color del de su izquierda, o del de encima."""
+    return {
+        i
+        for i, color in enumerate(colores)
+        if i % ancho and color != colores[i - 1] or i >= ancho and color != colores[i - ancho]
+    }
 
 
 def del_fondo(debidos, suyos):
