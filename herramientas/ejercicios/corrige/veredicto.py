@@ -40,11 +40,8 @@ def pixeles(imagen):
 
 def bordes(colores, ancho):
     """Qué píxeles no son del color del de su izquierda, o del de encima."""
-    return {
-        i
-        for i, color in enumerate(colores)
-        if i % ancho and color != colores[i - 1] or i >= ancho and color != colores[i - ancho]
-    }
+    juntos = lambda i: {colores[i], colores[i - bool(i % ancho)], colores[max(i - ancho, i % ancho)]}
+    return {i for i in range(len(colores)) if len(juntos(i)) > 1}
 
 
 def del_fondo(debidos, suyos):
