@@ -210,13 +210,15 @@ HECHOS = {  # un hueco, y lo que vale, que de tres guiones se ve en uno
 
 def por_piezas(carpeta, entregado, huecos=50, pesos="iguales"):
     """La corrección de esos tres huecos, en un mundo en que el guion i solo ve el i. Lo que usa() está fuera."""
-    solucion = marcado(*["// de partida: // nada\nbien;"] * 3)
+    solucion = marcado(*["// de partida: // nada\nbien;"] * 3, fuera="int dado;")
     trozos = [("p.cpp", t) for t in marcas.TROZO.finditer(solucion)]
     jugador = lambda textos, c: partidas.Jugador("", None, [c / "fuentes"], {"es": textos}, True, ["p.cpp"])
     nada = [solucion.replace(t[0], marcas.esqueleto(t[0])) for _, t in trozos]
 
     def compila(ficheros, donde, intentos=()):
-        if "usa(" in str(ficheros) and "void usa" not in str(ficheros) or "no compila" in str(ficheros):
+        todo = str(ficheros)
+        de_otro_nombre = "otro" in todo and ("int otro" not in todo or "bien;" in todo)  # lo demás bien usa «dado»
+        if de_otro_nombre or "usa(" in todo and "void usa" not in todo or "no compila" in todo:
             raise lector.Rechazo("no compila")
         return jugador(ficheros, donde)
 
@@ -264,6 +266,8 @@ def test_cada_pieza_vale_lo_que_saca_sola(tmp_path):
     otro_orden = "int main() {\n" + "".join(t[0] for t in [*marcas.TROZO.finditer(mal)][::-1]).replace("    //", "\t//")
     for escrito in (mal, otro_orden, mal.replace("\n", "\r\n")):
         assert [p["nota"] for p in por_piezas(tmp_path, escrito)["piezas"]] == [66.7, 100, 0]
+    con_otro_nombre = marcado("mal(otro);", "bien(otro);", "// nada", fuera="int otro;")  # de algo que se da
+    assert [p["nota"] for p in por_piezas(tmp_path, con_otro_nombre)["piezas"]] == [66.7, 100, 0]
     assert por_piezas(tmp_path, mal, pesos="0 1 0")["nota"] == round(50 / 3 + 50, 1)
     assert por_piezas(tmp_path, mal, huecos=0)["nota"] == 33.3
     assert por_piezas(tmp_path, mal, huecos=100)["nota"] == round(500 / 9, 1)
@@ -355,12 +359,13 @@ def test_donde_se_apartan_dos_imagenes():
 
     assert veredicto.en_que(imagen(9, 1), imagen(50, 80)) == "las formas están bien; los colores, no"
     assert veredicto.en_que(imagen(9, 1), imagen(1, 1)) == "abajo a la derecha"
-    barra = [
-        (200, 240, b"".join(b"abc" if x < 3 and y < hasta else b"def" for y in range(240) for x in range(200)))
-        for hasta in (200, 220)
-    ]
-    # es más larga, aunque casi todos sus bordes sean los mismos
-    assert veredicto.en_que(*barra) == "abajo a la izquierda"
+    # es más larga, aunque casi todos sus bordes sean los mismos, o lo que sigue sea de otro color y no del fondo
+    for ancha, resto in ((3, b"def"), (70, b"ghi")):
+        barra = [
+            b"".join((b"abc" if y < hasta else resto) if x < ancha else b"def" for y in range(240) for x in range(200))
+            for hasta in (200, 220)
+        ]
+        assert veredicto.en_que(*((200, 240, pixeles) for pixeles in barra)) == "abajo a la izquierda"
     una, otra = ((ancho, alto, bytes(3 * ancho * alto)) for ancho, alto in ((40, 10), (20, 30)))
     assert veredicto.en_que(una, otra) == "la imagen es de 20×30 y debía ser de 40×10"
 

@@ -123,7 +123,8 @@ class BancoDeCasa(Banco):
                 imagenes = [datos["imagenes"][i] for i in g["partida"]["imagenes"]]
                 self.arbitro.grabadas[guion] = Partida(**{**g["partida"], "imagenes": imagenes})
         self.todos = [*self.arbitro.grabadas]
-        self.reglas = reglas.comprueba(replace(puntua, guiones=sum(not g.caso for g in self.todos)), "lo repartido")
+        de_aqui = replace(puntua, guiones=sum(not g.caso for g in self.todos), huecos=0)
+        self.reglas = reglas.comprueba(de_aqui, "lo repartido")
         self.de_partida, self.dados = (datos["partida"], datos["principal"]), (datos["partida"], {})
         self.clave = suma(repr(datos["semillas"]), *(i[2] for i in datos["imagenes"]))
         self.motivos = SimpleNamespace(por_que=lambda *_: [], trozos=lambda: [])

@@ -207,7 +207,7 @@ def ejercicio_de(carpeta, programas):
         return "".join(referencia), next(p for p in programas if f"{p.capitulo.nombre}/{p.nombre}" == origen)
     except (Rechazo, UnicodeDecodeError, ValueError, StopIteration) as error:
         por_que = f": {error}" if isinstance(error, Rechazo) and (carpeta / nuevo.EJERCICIO).exists() else ""
-        raise Fallo(f"{carpeta / nuevo.EJERCICIO} no dice de qué ejercicio es{por_que}") from None
+        raise Fallo(f"{carpeta / nuevo.EJERCICIO} no dice de qué ejercicio es{por_que}: dilo detrás (E3.5)") from None
 
 
 def hay_programa(carpeta):

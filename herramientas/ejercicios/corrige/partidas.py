@@ -116,9 +116,9 @@ def guiones_al_azar(clave, n, mandos, sucesos):
         yield Guion(f"al azar {i + 1}", (*ordenes, *FINAL))
 
 
-def de_los_casos(programa):
+def de_los_casos(programa, tras=FINAL):
     for caso in programa.casos:
-        yield Guion(caso.nombre, (*(o.strip() for o in caso.guion.split(";") if o.strip()), *FINAL), True)
+        yield Guion(caso.nombre, (*(o.strip() for o in caso.guion.split(";") if o.strip()), *tras), True)
 
 
 def al_azar(raiz, build, programa, clave, n, entorno):

@@ -5,9 +5,10 @@ import shutil
 
 from base import controles
 from ejercicios import nuevo
+from ejercicios.corrige import partidas
 from ejercicios.corrige.compilador import Compilador
 from ejercicios.corrige.motivos import Motivos, nombre_de, nombres
-from ejercicios.corrige.partidas import Guion, Jugador
+from ejercicios.corrige.partidas import Jugador
 from ejercicios.reglas import Reglas
 
 GIRA = "boton IZQUIERDO abajo 10 90", "arrastra 330 90", "boton IZQUIERDO arriba 330 90"
@@ -35,9 +36,7 @@ def guiones(raiz, build, programa, entorno):
     suyos = [c for c in controles.lee(raiz, programa) if c.teclas != ["Esc"]]
     teclas = [o for c in suyos for o in c.ordenes]
     rasgos = {r for hecho in ("", "; ".join(teclas)) for r in controles.atiende(build, programa, hecho, **entorno)[0]}
-    gestos = (*(GIRA if rasgos & CON_RATON else ()), *teclas)
-    for caso in programa.casos:
-        yield Guion(caso.nombre, (*(o.strip() for o in caso.guion.split(";") if o.strip()), *gestos), True)
+    return partidas.de_los_casos(programa, (*(GIRA if rasgos & CON_RATON else ()), *teclas))
 
 
 class DeShaders(Compilador):

@@ -39,8 +39,9 @@ def pixeles(imagen):
 
 
 def bordes(colores, ancho):
-    """Qué píxeles no son del color del de su izquierda."""
-    return {i for i in range(1, len(colores)) if i % ancho and colores[i] != colores[i - 1]}
+    """Qué píxeles no son del color del de su izquierda, o del de encima."""
+    juntos = lambda i: {colores[i], colores[i - bool(i % ancho)], colores[max(i - ancho, i % ancho)]}
+    return {i for i in range(len(colores)) if len(juntos(i)) > 1}
 
 
 def del_fondo(debidos, suyos):
