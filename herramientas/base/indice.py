@@ -56,4 +56,5 @@ def hace(raiz, capitulos, del_libro):
             ficheros.update((f, identificadores(marcas.publico(raiz, f))) for f in suyos if f not in ficheros)
             con_texto = [z for z in zonas(raiz, del_libro, p) if z[2]]
             entradas.append({"titulo": p.titulo, "zonas": con_texto, "fuentes": suyos})
-    return {"entradas": entradas, "ficheros": ficheros, "sinonimos": dict(libro.filas(SINONIMOS))}
+    sinonimos = {frase: otras for frases, otras in libro.filas(SINONIMOS) for frase in frases.split("|")}
+    return {"entradas": entradas, "ficheros": ficheros, "sinonimos": sinonimos}

@@ -9,6 +9,7 @@ import subprocess
 import sys
 import time
 from importlib.machinery import SourceFileLoader
+from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -246,7 +247,8 @@ def test_una_imagen_se_rehace_si_cambia_algo_de_lo_que_lee(tmp_path):
         hecho["leidos"][ruta] = "otra"
         assert not galeria.al_dia(caso, hecho["clave"], [])
         hecho["leidos"][ruta] = suma
-    assert galeria.al_dia(caso, hecho["clave"], [])
+    otro = replace(caso, guion="espera 0")
+    assert [galeria.dibuja(p, c, tmp_path) for c in (caso, otro)] == [False, True]
 
 
 def test_de_varios_programas_acaba_mal_si_acaba_mal_alguno():
