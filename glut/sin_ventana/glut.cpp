@@ -311,9 +311,10 @@ static void explicaElCuadro() {
 }
 
 void compruebaGL(const std::string &donde) {
+    static const char *const NOMBRES[] = {"ENUM", "VALUE", "OPERATION", "", "", "", "FRAMEBUFFER_OPERATION"};
     for (GLenum e; (e = glGetError()) != GL_NO_ERROR;)
-        if (errorGL.empty())
-            errorGL = formatea("0x%04X", e);
+        if (const GLenum i = e - GL_INVALID_ENUM; errorGL.empty()) // donde no hay quien los cuente, su nombre
+            errorGL = i < 7 && *NOMBRES[i] ? std::string("GL_INVALID_") + NOMBRES[i] : formatea("0x%04X", e);
     if (!errorGL.empty()) {
         const std::string mensaje = "error de OpenGL " + donde + ": " + errorGL;
         explicaElCuadro();

@@ -5,6 +5,7 @@ import { leeError } from './fuentes.mjs';
 import { Hecho, leeGuion, Reloj, repite } from './guiones.mjs';
 import { tallaDe } from './imagenes.mjs';
 import { abreMenu } from './menu.mjs';
+import { ERROR_DE_OPENGL } from './nota.mjs';
 import { arranca, motivoDe } from './programa.mjs';
 
 const marco = una('.lienzo'), telon = una('.telon'), consola = una('.consola');
@@ -34,6 +35,7 @@ export class Escena {
   #pedido;
   #turno = 0;
   #escrito = [];
+  #ultima = '';    // la orden
   #aparte = false; // de lo que escribe un guion que se repite queda lo de su última orden; lo demás es de otra imagen
   #reloj;
   #cuadro;
@@ -112,13 +114,27 @@ export class Escena {
     return lienzo;
   }
 
-  async #arranca(lienzo, vale) {
+  /// El error con que ha acabado. El de OpenGL no dice dónde: se hace otra vez lo mismo, y se pregunta tras cada llamada.
+  async #error({ error, estado }) {
+    if (error || estado !== ERROR_DE_OPENGL || !this.#pedido.compilado?.()) return error;
+    try {
+      const otra = await this.#arranca(crea('canvas'), () => false, { vigilado: true });
+      for (const orden of [...this.hecho.ordenes, this.#ultima]) otra.orden(orden);
+      otra.cierra();
+      return otra.error;
+    } catch (suyo) {
+      return suyo;
+    }
+  }
+
+  async #arranca(lienzo, vale, mas = {}) {
     const { programa, textos, ficheros, acompana, compilado } = this.#pedido;
     const sesion = await (this.#pedido.arranca ?? (como => arranca(programa, como)))({
       lienzo, ...talla(), textos: textos(), ficheros, suavizado: this.suavizado,
       compilado: compilado?.(),
       di: linea => { if (vale()) this.#di(linea); },
       titulo: texto => { if (vale()) ponTitulo(texto); },
+      ...mas,
     });
     return acompana && vale() ? acompana(sesion, { ficheros, suavizado: this.suavizado }) : sesion;
   }
@@ -140,7 +156,8 @@ export class Escena {
 
   /// Da una orden a un programa y la anota para el enlace. Falso si con ella ha terminado: eso no hay que repetirlo.
   #da(sesion, orden, escala) {
-    sesion.orden(escala ? `${escala};${orden}` : orden);
+    this.#ultima = escala ? `${escala};${orden}` : orden;
+    sesion.orden(this.#ultima);
     if (sesion.vivo) this.hecho.apunta(orden, escala || `escala ${sesion.lienzo.width} ${sesion.lienzo.height}`);
     return sesion.vivo;
   }
@@ -175,7 +192,7 @@ export class Escena {
     const { vivo, fallo } = this.sesion;
     if (vivo || this.#pedido.programa.consola) return;
     cubre(fallo ? this.#escrito.slice(-3).join('\n') || 'El programa ha fallado' : 'El programa ha terminado');
-    if (fallo) this.alFallar(this.sesion.error);
+    if (fallo) this.#error(this.sesion).then(error => this.alFallar(error));
   }
 
   /// Una vez por cuadro: el ratón que se ha movido y, si el programa se anima, el tiempo que ha pasado.

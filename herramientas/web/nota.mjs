@@ -3,7 +3,7 @@
 
 /// Cuánto se parecen dos imágenes.
 export const BIEN = 1, CASI = 0.5;
-const ERROR_DE_OPENGL = 3; // con que acaba quien da alguno
+export const ERROR_DE_OPENGL = 3; // con que acaba quien da alguno
 
 /// Las líneas que se esperan y no están, en su orden, entre las escritas, que pueden ser más.
 export function faltan(esperado, escrito) {

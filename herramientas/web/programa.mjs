@@ -13,6 +13,21 @@ function ponTodas(funciones, alLanzar) {
     if (nombre.startsWith('emscripten_gl')) funciones[nombre.slice(11)] ??= suya;
 }
 
+const ERRORES = { 1280: 'ENUM', 1281: 'VALUE', 1282: 'OPERATION', 1286: 'FRAMEBUFFER_OPERATION' }; // GL_INVALID_…
+
+/// La llamada de OpenGL que da un error acaba ahí con él.
+function vigila(funciones) {
+  const pregunta = funciones.glGetError ?? funciones.emscripten_glGetError;
+  for (const [nombre, suya] of Object.entries(funciones)) {
+    const [, llamada] = nombre.match(/^(?:emscripten_)?(gl[A-Z]\w+)$/) ?? [];
+    if (llamada && llamada !== 'glGetError') funciones[nombre] = (...que) => {
+      const hecho = suya(...que), cual = pregunta();
+      if (cual) throw Object.assign(new Error(`${llamada} da GL_INVALID_${ERRORES[cual]}`), { name: 'OpenGL' });
+      return hecho;
+    };
+  }
+}
+
 // De lo que puede hacer mal un programa compilado en la página, qué se dice. Los demás motivos son suyos.
 const MOTIVOS = [
   [/no acaba/, 'no acaba: lleva unos segundos en lo mismo. ¿Un bucle sin fin?'],
@@ -39,10 +54,10 @@ export const motivoDe = error =>
 /// Arranca un programa en un lienzo. `titulo(texto)` recibe el de la ventana; `ficheros`
 /// son los que se le dan además de los del laboratorio; `textos`, los que no son los originales (sin texto, los que no
 /// están); `raices`, dónde los busca antes; `compilado`, el módulo del que se ha compilado en la página, si no es el
-/// original; `argumentos` y `entorno`, los suyos. De lo que escribe, `di(línea, si es un error)`. Devuelve lo que se
+/// original; `argumentos` y `entorno`, los suyos; `vigilado`, si acaba en la llamada de OpenGL que da un error. De lo que escribe, `di(línea, si es un error)`. Devuelve lo que se
 /// puede hacer con él.
 export async function arranca(programa, { lienzo, ancho, alto, textos = {}, ficheros = {}, suavizado = true, compilado,
-  raices = programa.raices, argumentos = [], entorno = {}, di = () => {}, titulo = () => {} }) {
+  raices = programa.raices, argumentos = [], entorno = {}, vigilado, di = () => {}, titulo = () => {} }) {
   const [modulo, shaders, suyos] =
     await Promise.all([compilado ?? laboratorio(), json('shaders'), textos, ...programa.texturas.map(bytes)]);
   let lanzada;
@@ -52,6 +67,7 @@ export async function arranca(programa, { lienzo, ancho, alto, textos = {}, fich
     preRun: ({ ENV }) => Object.assign(ENV, entorno, raices.length && { LAB_RAIZ: raices.join(':') }),
     instantiateWasm: (lo, recibe) => {
       if (compilado) ponTodas(lo.env, error => { lanzada = error; });
+      if (vigilado) vigila(lo.env);
       WebAssembly.instantiate(modulo, lo).then(recibe);
       return {};
     },

@@ -44,6 +44,7 @@ const MAL = {
     '    ponTitulo(formatea("%d", F::f(tecla)));', 0],
   'un índice que se sale de un vector': ['std::vector<int> v(3);\n    ponTitulo(formatea("%d", v[tecla]));', 1],
   'un índice que se sale de un array': ['int v[3] = {1, 2, 3};\n    ponTitulo(formatea("%d", v[tecla]));', 1],
+  'una llamada de OpenGL que no vale': ['glEnable(GLenum(tecla));', 0],
   'la memoria que se acaba': ['std::vector<double> v;\n    while (tecla)\n        v.push_back(1);', 2],
 };
 const SITIO = 'if (teclaComun(tecla)';
