@@ -135,12 +135,13 @@ export class Corrector {
     return { nota: nota(guiones, otros, this.reglas), guiones, otros, reglas: this.reglas };
   }
 
-  /// Lo que vale lo que arranca así: de 0 a 1, y 0 si hace lo mismo que lo que arranca como diga `hazNada()`, si lo hay.
+  /// Lo que vale lo que arranca así, de 0 a 1: 0 si hace lo mismo que lo que arranca como diga `hazNada()`, si lo hay.
   async parte(suyo, hazNada) {
     const con = (suyo, original) => new Corrector(this, { suyo, original, sigue: this.sigue }).corrige();
     const suya = parte((await con(suyo, this.original)).guiones, this.reglas);
     const nada = suya < 1 && await hazNada();
-    return nada && (await con(suyo, nada)).guiones.every(g => g.parecido === undefined || g.parecido === BIEN) ? 0 : suya;
+    const esNada = nada && (await con(suyo, nada)).guiones.every(g => (g.parecido ?? BIEN) === BIEN);
+    return esNada ? 0 : suya;
   }
 
   /// Del guion que antes falla: { ordenes, las que bastan; cómo se dice; pixel, el que más se aparta, de la ventana de

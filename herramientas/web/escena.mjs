@@ -114,7 +114,7 @@ export class Escena {
     return lienzo;
   }
 
-  /// El error con que ha acabado. El de OpenGL no dice dónde: se hace otra vez lo mismo, y se pregunta tras cada llamada.
+  /// El error con que ha acabado. El de OpenGL no dice dónde: se repite, preguntando tras cada llamada.
   async #error({ error, estado }) {
     if (error || estado !== ERROR_DE_OPENGL || !this.#pedido.compilado?.()) return error;
     try {

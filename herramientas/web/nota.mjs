@@ -41,7 +41,8 @@ export function parte(guiones, reglas) {
 
 /// Esa, junto con la de cada pieza, si se sabe, y sin lo que quita lo demás. Con un fallo que cueste algo no es 100.
 export function nota(guiones, otros, reglas, piezas = []) {
-  const entero = parte(guiones, reglas), media = suma(piezas.map(p => p.pesa * p.parte)) / suma(piezas.map(p => p.pesa));
+  const entero = parte(guiones, reglas);
+  const media = suma(piezas.map(p => p.pesa * p.parte)) / suma(piezas.map(p => p.pesa));
   const puntos = piezas.length ? entero + reglas.huecos / 100 * (media - entero) : entero;
   const cuestan = suma(Object.keys(otros).map(que => reglas[que]));
   const todo = guiones.every(g => g.parecido === BIEN || reglas.casi === 100 && g.parecido === CASI);

@@ -23,14 +23,14 @@ function losDe(pedidos, hechos) {
 /// Por qué no se sabe lo que vale cada una.
 export class SoloLoEntero extends Error {}
 
-/// De cada pieza de lo escrito, { pide, pesa, parte, de 0 a 1 }. De `datos`, los de ejercicios.js: `solucion`, sus ficheros,
-/// con «\0i\0» donde va la pieza i, y `huecos`, de cada una { pide, pesa, hecha, partida }. `arranca(textos)` dice
-/// cómo arranca un programa con esos ficheros, o nada si no compilan; `juega(suyo, nada)`, lo que vale, si no es lo mismo
-/// que lo que arranca como diga nada().
+/// De cada pieza de lo escrito, { pide, pesa, parte, de 0 a 1 }. De `datos`, los de ejercicios.js: `solucion`, sus
+/// ficheros, con «\0i\0» donde va la pieza i, y `huecos`, de cada una { pide, pesa, hecha, partida }. `arranca(textos)`
+/// dice cómo arranca un programa con esos ficheros, o nada si no compilan; `juega(suyo, nada)`, lo que vale, si no es lo
+/// mismo que lo que arranca como diga nada().
 export async function porPiezas({ codigo, solucion, huecos }, escritos, { arranca, juega, avanza }) {
   const suyos = losDe(huecos, trozos(escritos, codigo)), falta = suyos.indexOf(undefined);
   if (falta >= 0)
-    throw new SoloLoEntero(`no está entera la marca «// ${codigo}: ${huecos[falta].pide}», con su «// fin de ${codigo}»`);
+    throw new SoloLoEntero(`no está entera la marca «// ${codigo}: ${huecos[falta].pide}», con su fin de ${codigo}`);
   const conTodas = (textos, pieza) => Object.fromEntries(Object.entries(textos).map(([f, texto]) =>
     [f, texto.replace(/\0(\d+)\0\n/g, (_, j) => pieza(Number(j)))]));
   const enLaSolucion = (i, suya) => conTodas(solucion, j => j === i ? suya : huecos[j].hecha);
@@ -41,7 +41,7 @@ export async function porPiezas({ codigo, solucion, huecos }, escritos, { arranc
     const { hecho } = suyos[i], { pide, hecha, partida } = huecos[i];
     if (pelado(hecho) === pelado(partida)) return 0;
     if (pelado(hecho) === pelado(hecha)) return 1;
-    const suyo = await arranca(enLaSolucion(i, hecho)) ?? await arranca(conLasDemas(i)); // usa lo que está fuera de ella
+    const suyo = await arranca(enLaSolucion(i, hecho)) ?? await arranca(conLasDemas(i)); // si usa lo de fuera
     if (!suyo) throw new SoloLoEntero(`sola no se puede probar «${pide}»: necesita lo que has escrito en otro sitio`);
     return juega(suyo, () => arranca(enLaSolucion(i, partida)));
   };
