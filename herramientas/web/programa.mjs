@@ -51,11 +51,11 @@ const espera = guion => guion.split(';').reduce((ms, orden) => {
 export const motivoDe = error =>
   MOTIVOS.find(([que]) => que.test(String(error?.message ?? error)))?.[1] ?? String(error);
 
-/// Arranca un programa en un lienzo. `titulo(texto)` recibe el de la ventana; `ficheros` son los que se le dan además de
-/// los del laboratorio; `textos`, los que no son los originales (sin texto, los que no están); `raices`, dónde los busca
-/// antes; `compilado`, el módulo del que se ha compilado en la página, si no es el original; `argumentos` y `entorno`,
-/// los suyos; `vigilado`, si acaba en la llamada de OpenGL que da un error. De lo que escribe, `di(línea, si es un
-/// error)`. Devuelve lo que se puede hacer con él.
+/// Arranca un programa en un lienzo. `titulo(texto)` recibe el de la ventana; `ficheros` son los que se le dan además
+/// de los del laboratorio; `textos`, los que no son los originales (sin texto, los que no están); `raices`, dónde los
+/// busca antes; `compilado`, el módulo del que se ha compilado en la página, si no es el original; `argumentos` y
+/// `entorno`, los suyos; `vigilado`, si acaba en la llamada de OpenGL que da un error. De lo que escribe, `di(línea,
+/// si es un error)`. Devuelve lo que se puede hacer con él.
 export async function arranca(programa, { lienzo, ancho, alto, textos = {}, ficheros = {}, suavizado = true, compilado,
   raices = programa.raices, argumentos = [], entorno = {}, vigilado, di = () => {}, titulo = () => {} }) {
   const [modulo, shaders, suyos] =
