@@ -676,6 +676,11 @@ def test_en_ubuntu_se_dice_como_se_arregla(tmp_path, monkeypatch):
 
 
 @pytest.mark.skipif(not GRUA.exists(), reason="no está compilado")
+def test_lo_que_guardo_otro_editor_dice_lo_mismo():
+    for como in ("utf-8", "cp1252", "utf-16"):
+        assert lector.en_utf8("// Grúa «ñandú», de 3 €".encode(como)).decode() == "// Grúa «ñandú», de 3 €"
+
+
 def test_un_shader_con_bom_es_el_mismo(tmp_path):
     """Y lo que no está en $LAB_RAIZ, con $LAB_SOLO_RAIZ, no se busca en el laboratorio."""
     for f in RAIZ.glob("c*/**/*.*"):
