@@ -264,7 +264,7 @@ GLuint creaPrograma(const std::string &vert, const std::string &frag) {
 GLint uniforme(GLuint programa, const char *nombre) {
     const GLint posicion = glGetUniformLocation(programa, nombre);
     static std::set<std::pair<GLuint, std::string>> avisados;
-    if (posicion < 0 && avisados.insert({programa, nombre}).second) {
+    if (posicion == -1 && avisados.insert({programa, nombre}).second) {
         std::string shaders = "el programa";
         for (const Registrado &r : registrados)
             if (r.programa == programa)

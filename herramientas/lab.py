@@ -100,11 +100,11 @@ class Laboratorio:
     def mio(self, orden, pedido, programas):
         """Lo que está en mios/; nada si es del laboratorio, que va antes."""
         nombre = pedido.removeprefix("mios/").rstrip("/")
-        if nombre == pedido != "mios" and (not (self.t.mios / nombre).exists() or any(p.es(nombre) for p in programas)):
-            return None
         if nombre in ("", "mios"):
-            hay = ", ".join(sorted(f"mios/{c.name}" for c in self.t.mios.iterdir() if c.is_dir())) or "nada aún"
+            hay = ", ".join(sorted(f"mios/{c.name}" for c in self.t.mios.glob("*") if c.is_dir())) or "nada aún"
             raise Fallo(f"{orden}: di cuál de lo que hay en mios: {hay}")
+        if nombre == pedido and (not (self.t.mios / nombre).exists() or any(p.es(nombre) for p in programas)):
+            return None
         carpeta = self.t.mios / nombre
         if not (carpeta / f"{nombre}.cpp").exists():
             raise Fallo(f"{orden}: no encuentro {carpeta}/{nombre}.cpp")

@@ -34,6 +34,7 @@ DECLARA(glGetUniformLocation)
 DECLARA(glBindAttribLocation)
 DECLARA(glLinkProgram)
 DECLARA(glCreateProgram)
+DECLARA(glUseProgram)
 
 namespace explica {
 namespace {
@@ -44,28 +45,54 @@ struct Envio {
     std::function<void(GLint donde)> repite;
 };
 
+// Lo que se ha preguntado por un nombre.
+struct Nombre {
+    bool esta = false;
+    int preguntas = 0, seguidas = 0; // seguidas: las que van justo delante de un envío a donde no hay nada
+};
+
 struct Programa {
     std::map<std::string, GLuint> porAtar, atados; // lo segundo, desde que se enlaza
-    std::map<GLint, std::string> enSitio; // lo que no está, en un sitio que le damos, por debajo de -1
+    std::map<std::string, Nombre> nombres;
+    std::map<GLint, std::string> enSitio;
     std::map<GLint, std::set<std::string>> sitiosDados; // con las formas en que se ha dado
     std::map<GLint, int> pilas;                         // desde dónde, la última vez
     std::vector<std::pair<std::string, Envio>> dados;   // por su orden
+    std::map<std::string, Envio> perdidos;              // por su forma, los que no se sabe a qué nombre van
 };
 std::map<GLuint, Programa> programas;
+std::pair<GLuint, std::string> preguntado; // por lo último, si no está y aún no se ha hecho nada más
 
+// A un sitio en que no hay nada no se sabe a qué nombre se envía: al que se acaba de preguntar o, si se preguntó hace
+// tiempo, a alguno de los que no se enviaron entonces.
 template<class HazEnvio>
 void apunta(GLint donde, const std::string &forma, const HazEnvio &hazEnvio) {
-    Programa &p = programas[GLuint(entero(GL_CURRENT_PROGRAM))];
+    const GLuint actual = GLuint(entero(GL_CURRENT_PROGRAM));
+    Programa &p = programas[actual];
+    const auto [deCual, nombre] = preguntado;
+    preguntado = {};
     const auto sitio = p.enSitio.find(donde);
-    if (sitio == p.enSitio.end())
+    if (donde >= 0 && sitio == p.enSitio.end())
         return;
-    p.sitiosDados[donde].insert(forma);
-    p.pilas[donde] = pilaActual();
+    if (donde >= 0) {
+        p.sitiosDados[donde].insert(forma);
+        p.pilas[donde] = pilaActual();
+    }
     if (EN_WEB && donde >= 0 && !seExplica())
         return; // al explicar se dibuja otra vez, y se envía otra vez
-    const auto es = [&](const auto &dado) { return dado.first == sitio->second; };
+    const std::string &suyo = donde >= 0 ? sitio->second : nombre;
+    const Envio envio = hazEnvio();
+    if (suyo.empty()) {
+        p.perdidos[envio.forma] = envio;
+        return;
+    }
+    if (donde < 0)
+        ++programas[deCual].nombres[suyo].seguidas;
+    if (donde < 0 && deCual != actual)
+        return;
+    const auto es = [&](const auto &dado) { return dado.first == suyo; };
     p.dados.erase(std::remove_if(p.dados.begin(), p.dados.end(), es), p.dados.end());
-    p.dados.push_back({sitio->second, hazEnvio()});
+    p.dados.push_back({suyo, envio});
 }
 
 template<class... Numeros>
@@ -98,7 +125,7 @@ struct Uniform<envia> {
     static void da(GLint donde, Parametros... parametros) {
         if (!esNuestro())
             apunta(donde, forma, [&] { return Envio{forma, copia(cada, envia, parametros...)}; });
-        envia(std::max(donde, -1), parametros...);
+        envia(donde, parametros...);
     }
 };
 
@@ -110,13 +137,16 @@ Direccion tapaUniform(const std::string &nombre, int cada) {
 }
 
 GLint sitioDe(GLuint programa, const GLchar *nombre) {
-    static std::map<std::pair<GLuint, std::string>, GLint> ausentes;
-    GLint donde = DE_VERDAD(glGetUniformLocation)(programa, nombre);
+    const GLint donde = DE_VERDAD(glGetUniformLocation)(programa, nombre);
     if (esNuestro())
         return donde;
-    if (donde < 0)
-        donde = ausentes.insert({{programa, nombre}, -2 - GLint(ausentes.size())}).first->second;
-    programas[programa].enSitio[donde] = nombre;
+    Programa &p = programas[programa];
+    Nombre &suyo = p.nombres[nombre];
+    ++suyo.preguntas;
+    suyo.esta = donde >= 0;
+    preguntado = {suyo.esta ? 0 : programa, suyo.esta ? "" : nombre};
+    if (suyo.esta)
+        p.enSitio[donde] = nombre;
     return donde;
 }
 
@@ -138,6 +168,12 @@ GLuint crea() {
     return programa;
 }
 
+void usa(GLuint programa) {
+    if (!esNuestro())
+        preguntado = {};
+    DE_VERDAD(glUseProgram)(programa);
+}
+
 // Si a un uniform de ese tipo se le da valor con glUniform«forma».
 bool admite(GLenum tipo, const std::string &forma) {
     const std::string t = tipoDe(tipo), cuantos = std::to_string(componentesDe(tipo));
@@ -154,20 +190,51 @@ std::string sinIndice(const std::string &nombre) {
     return nombre.back() == ']' ? nombre.substr(0, nombre.rfind('[')) : nombre;
 }
 
-// Da a un uniform que en el original no está lo que se le ha enviado. Falso si no se sabe: si no se le ha enviado nada
-// y es 0, es que el programa está a medias.
-bool daAusente(const Programa &programa, const Variable &uniform, GLuint otro) {
-    bool dado = false;
-    for (const auto &[nombre, envio] : programa.dados)
-        if (sinIndice(nombre) == sinIndice(uniform.nombre) && admite(uniform.tipo, envio.forma)) {
-            dado = true;
+// Da a un uniform que en el original no está lo que se le ha enviado. Falso si no se sabe.
+class Ausente {
+    const Programa &programa;
+    const std::map<std::string, GLenum> &tipos; // de los que en el otro están
+    const Variable &uniform;
+
+    bool esEl(const std::string &nombre) const {
+        return sinIndice(nombre) == sinIndice(uniform.nombre);
+    }
+    // Si lo enviado quizá no era para él, sino para otro por el que se preguntó antes y a que no se envió nada
+    // entonces.
+    bool hayRivales() const {
+        return std::any_of(programa.nombres.begin(), programa.nombres.end(), [&](const auto &otro) {
+            const auto suyo = tipos.find(otro.first);
+            return !otro.second.esta && otro.second.seguidas < otro.second.preguntas && !esEl(otro.first) &&
+                   (suyo == tipos.end() || suyo->second == uniform.tipo);
+        });
+    }
+
+public:
+    Ausente(const Programa &p, const std::map<std::string, GLenum> &suyos, const Variable &v)
+        : programa(p), tipos(suyos), uniform(v) {
+    }
+    bool da(GLuint otro) const {
+        std::vector<std::pair<std::string, Envio>> suyos;
+        int preguntas = 0, seguidas = 0; // por lo que no está: de un array puede estar una parte
+        for (const auto &[nombre, n] : programa.nombres)
+            if (esEl(nombre) && !n.esta)
+                preguntas += n.preguntas, seguidas += n.seguidas;
+        for (const auto &dado : programa.dados)
+            if (esEl(dado.first) && admite(uniform.tipo, dado.second.forma))
+                suyos.push_back(dado);
+        for (const auto &[forma, perdido] : programa.perdidos)
+            if (seguidas < preguntas && admite(uniform.tipo, forma))
+                suyos.push_back({sinIndice(uniform.nombre), perdido});
+        for (const auto &[nombre, envio] : suyos)
             if (const GLint donde = glGetUniformLocation(otro, nombre.c_str()); donde >= 0)
                 envio.repite(donde);
-        }
-    const std::vector<double> vale = valorDe(otro, uniform); // si nadie se lo da, lo que diga el shader
-    return dado || esSampler(uniform.tipo) ||
-           std::any_of(vale.begin(), vale.end(), [](double x) { return x != 0; });
-}
+        if (!suyos.empty())
+            return (seguidas == preguntas && seguidas != 1) || !hayRivales();
+        const std::vector<double> vale = valorDe(otro, uniform); // si nadie se lo da, lo que diga el shader
+        return !preguntas && (esSampler(uniform.tipo) ||
+                              std::any_of(vale.begin(), vale.end(), [](double x) { return x != 0; }));
+    }
+};
 
 // De un atributo: si lo dice el programa o su shader, aunque nada lo use.
 bool seSabeDonde(GLuint programa, const std::string &atributo) {
@@ -210,6 +277,7 @@ Direccion tapaEnvio(const std::string &nombre) {
     TAPA(glBindAttribLocation, ata)
     TAPA(glLinkProgram, enlaza)
     TAPA(glCreateProgram, crea)
+    TAPA(glUseProgram, usa)
     UNIFORMS(UNIFORM)
     return nullptr;
 }
@@ -254,16 +322,25 @@ bool ataComo(GLuint original, GLuint programa) {
 }
 
 Desconocidas daLoEnviado(GLuint original, GLuint otro) {
+    const Programa &p = programas[original];
     std::set<std::string> suyas;
     for (const auto &variables : {uniformsDe(original), atributosDe(original)})
         for (const Variable &v : variables)
             suyas.insert(v.nombre);
     const std::vector<Variable> uniforms = uniformsDe(otro);
-    Desconocidas d;
+    std::map<std::string, GLenum> tipos;
     for (const Variable &v : uniforms)
-        if (v.nombre.compare(0, 8, "explica_") && !suyas.count(v.nombre) &&
-            !daAusente(programas[original], v, otro))
+        tipos[v.nombre] = v.tipo;
+    Desconocidas d;
+    for (const Variable &v : uniforms) {
+        const bool nuestro = v.nombre.compare(0, 8, "explica_") == 0;
+        if (nuestro || suyas.count(v.nombre) || Ausente(p, tipos, v).da(otro))
+            continue;
+        if (esSampler(v.tipo))
+            d.otra = v.nombre;
+        else
             d.uniforms.push_back(v);
+    }
     for (const Variable &v : atributosDe(otro))
         if (!suyas.count(v.nombre) && !seSabeDonde(original, v.nombre))
             d.atributos.push_back(v);

@@ -13,16 +13,14 @@ function ponTodas(funciones, alLanzar) {
     if (nombre.startsWith('emscripten_gl')) funciones[nombre.slice(11)] ??= suya;
 }
 
-const ERRORES = { 1280: 'ENUM', 1281: 'VALUE', 1282: 'OPERATION', 1286: 'FRAMEBUFFER_OPERATION' }; // GL_INVALID_…
-
-/// La llamada de OpenGL que da un error acaba ahí con él.
+/// La llamada de OpenGL que da un error acaba ahí. Cuál es ya lo ha dicho el programa.
 function vigila(funciones) {
   const pregunta = funciones.glGetError ?? funciones.emscripten_glGetError;
   for (const [nombre, suya] of Object.entries(funciones)) {
     const [, llamada] = nombre.match(/^(?:emscripten_)?(gl[A-Z]\w+)$/) ?? [];
     if (llamada && llamada !== 'glGetError') funciones[nombre] = (...que) => {
-      const hecho = suya(...que), cual = pregunta();
-      if (cual) throw Object.assign(new Error(`${llamada} da GL_INVALID_${ERRORES[cual]}`), { name: 'OpenGL' });
+      const hecho = suya(...que);
+      if (pregunta()) throw Object.assign(new Error(`${llamada} da un error`), { name: 'OpenGL' });
       return hecho;
     };
   }

@@ -1,7 +1,5 @@
 """La nota pieza a pieza: cada hueco de la entrega, puesto solo en la solución, juega los mismos guiones. Así quien hace
 bien cuatro de cinco no saca lo mismo que quien no ha hecho nada."""
-import re
-from difflib import SequenceMatcher
 from pathlib import Path
 
 from base.marcas import TROZO, esqueleto
@@ -31,19 +29,6 @@ def los_de(pedidos, hechos, ref):
     mismos = [piden.get(t["pide"]) for t in pedidos]
     en_su_sitio = len(hechos) == len(pedidos) and (None in mismos or len(piden) < len(hechos))
     return hechos if en_su_sitio else mismos
-
-
-PALABRA, NOMBRE = re.compile(r"[^\W\d]\w*|\S"), re.compile(r"[^\W\d]\w*")
-
-
-def con_los_dados(hecho, dado, suyo):
-    """Lo de un hueco, con los nombres que tiene lo que se da: los que fuera de los huecos ha cambiado por otros."""
-    una, otra = (PALABRA.findall(COMENTARIO.sub(b"", TROZO.sub("", t).encode()).decode()) for t in (dado, suyo))
-    era = {}
-    for que, a, b, c, d in SequenceMatcher(None, una, otra, autojunk=False).get_opcodes():
-        if que == "replace" and b - a == d - c:
-            era |= {es: antes for antes, es in zip(una[a:b], otra[c:d]) if NOMBRE.match(antes) and es not in una}
-    return NOMBRE.sub(lambda m: era.get(m[0], m[0]), hecho)
 
 
 class SoloLoEntero(Exception):
@@ -85,14 +70,11 @@ class Piezas:
         return parte
 
     def jugador(self, i):
-        """La solución con esa pieza o, si usa lo que está fuera de ella, la entrega con las demás de la solución; y si
-        es que ha cambiado el nombre de algo que se da, la solución con ella y el que era."""
+        """La solución con esa pieza o, si usa lo que está fuera de ella, la entrega con las demás de la solución."""
         carpeta = Path(self.correccion.carpeta)
-        (f, _), suyo = self.pedidos[i], self.suyos[i]
         for donde, ficheros, intentos in (
-            ("solucion", self.en_la_solucion(i, suyo["hecho"]), ()),
+            ("solucion", self.en_la_solucion(i), ()),
             ("entrega", self.con_las_demas(i), [self.correccion.jugador.fuentes]),
-            ("dados", self.en_la_solucion(i, con_los_dados(suyo["hecho"], self.motivos.textos()[f], suyo.string)), ()),
         ):
             try:
                 return self.banco.compilador.compila(ficheros, carpeta / f"{donde}{i}", intentos=intentos)
@@ -101,10 +83,10 @@ class Piezas:
         pide = self.suyos[i]["pide"]
         raise SoloLoEntero(f"sola no se puede probar «{pide}»: necesita lo que has escrito en otro sitio")
 
-    def en_la_solucion(self, i, hecho):
+    def en_la_solucion(self, i):
         f, t = self.pedidos[i]
         textos = self.motivos.textos()
-        hecha = t["abre"] + hecho + t["cierra"]
+        hecha = t["abre"] + self.suyos[i]["hecho"] + t["cierra"]
         return self.motivos.limpio(textos | {f: textos[f][: t.start()] + hecha + textos[f][t.end() :]})
 
     def con_las_demas(self, i):
