@@ -540,6 +540,9 @@ def elige_orden(pedida):
     if pedida == "--help":
         print(ayuda())
         raise SystemExit(0)
+    if pedida == "--version":
+        de_git = "git", "-C", sys.argv[1], "log", "-1", "--format=laboratorio del %cs (%h)", "--date=short"
+        raise SystemExit(subprocess.run(de_git).returncode)
     if pedida not in ORDENES:
         parecidas = difflib.get_close_matches(pedida, ORDENES, 1, 0.5)
         pregunta = f": ¿querías decir {parecidas[0]}?" if parecidas else "; ./lab ayuda las enumera"

@@ -21,13 +21,13 @@
 namespace {
 
 const float TALLA = 0.032f; // con que los controles de cualquiera caben enteros a 4:3
-const int MS_VIGILA = 250, LINEAS_DE_ERROR = 6;
+const int MS_VIGILA = 250, MS_AVISO = 2000, LINEAS_DE_ERROR = 6;
 
 struct {
     bool ayuda = false, puntero = false, vigila = false, captura = false;
     glm::ivec2 raton{-1}; // píxeles, desde arriba a la izquierda
     int vueltas = 0;      // las veces que se ha puesto a vigilar
-    std::string errores;
+    std::string errores, aviso;
     void (*arrastre)(int, int) = nullptr; // las del programa
     void (*movimiento)(int, int) = nullptr;
 } estado;
@@ -41,20 +41,6 @@ std::map<std::string, std::string> &apuntados() {
 const char *const DE_TODOS =
     "F1\testa ayuda · F2\tel píxel bajo el puntero · F3\tvigila los shaders · F5\tlos relee · "
     "F11\tpantalla completa · F12\tguarda la imagen";
-
-/// Mientras existe se dibuja en la ventana entera.
-class EnLaVentana {
-    GLint panel[4];
-
-public:
-    EnLaVentana() {
-        glGetIntegerv(GL_VIEWPORT, panel);
-        glViewport(0, 0, glutGet(GLUT_WINDOW_WIDTH), glutGet(GLUT_WINDOW_HEIGHT));
-    }
-    ~EnLaVentana() {
-        glViewport(panel[0], panel[1], panel[2], panel[3]);
-    }
-};
 
 std::vector<std::string> separa(const std::string &texto, const std::string &separador) {
     std::vector<std::string> partes;
@@ -109,7 +95,6 @@ std::vector<std::string> controles() {
 
 // Dos columnas: son dos rótulos de las mismas líneas, cada uno con los blancos del otro.
 void pintaAyuda() {
-    const EnLaVentana entera;
     const int caben = letrasQueCaben(TALLA);
     int ancho = 0;
     std::vector<std::vector<std::string>> filas;
@@ -146,7 +131,6 @@ void pintaPuntero() {
     if (p.x < 0 || p.y < 0 || p.x >= imagen.ancho || p.y >= imagen.alto)
         return;
     const unsigned char *rgb = &imagen.rgb[3 * (std::size_t(imagen.alto - 1 - p.y) * imagen.ancho + p.x)];
-    const EnLaVentana entera;
     const glm::vec2 lugar = (glm::vec2(p) + 0.5f) / glm::vec2(imagen.ancho, imagen.alto);
     rotula(formatea("%d, %d\n(%d, %d, %d)", p.x, p.y, rgb[0], rgb[1], rgb[2]), {lugar.x, 1 - lugar.y}, OSCURO,
            Lado::DERECHA, TALLA);
@@ -154,7 +138,6 @@ void pintaPuntero() {
 
 // Abajo, sobre un velo que no tapa el resto. Enteros están en stderr.
 void pintaErrores() {
-    const EnLaVentana entera;
     std::string texto;
     int n = 0;
     for (const std::string &error : separa(estado.errores, "\n"))
@@ -168,8 +151,35 @@ void pintaErrores() {
     rotula(texto, {0.5f, 0.5f}, BLANCO, Lado::CENTRO, TALLA);
 }
 
+void pintaSobreLaImagen() {
+    GLint panel[4];
+    glGetIntegerv(GL_VIEWPORT, panel);
+    glViewport(0, 0, glutGet(GLUT_WINDOW_WIDTH), glutGet(GLUT_WINDOW_HEIGHT));
+    if (estado.puntero)
+        pintaPuntero();
+    if (estado.ayuda)
+        pintaAyuda();
+    if (!estado.aviso.empty())
+        rotula(estado.aviso, {0.5f, 0}, NARANJA, Lado::CENTRO, TALLA);
+    if (!estado.errores.empty())
+        pintaErrores();
+    glViewport(panel[0], panel[1], panel[2], panel[3]);
+}
+
+void callaAviso(int) {
+    estado.aviso.clear();
+    glutPostRedisplay();
+}
+
+// Se ve un rato.
+void anuncia(const char *aviso) {
+    estado.aviso = aviso;
+    glutTimerFunc(MS_AVISO, callaAviso, 0);
+}
+
 void sigueAlRaton(int x, int y) {
     estado.raton = {x, y};
+    estado.aviso.clear();
     glutPostRedisplay();
 }
 
@@ -211,12 +221,8 @@ void __real_glutPassiveMotionFunc(void (*)(int, int));
 
 void __wrap_glutSwapBuffers() {
     glDisable(GL_SCISSOR_TEST); // lo dejó puesto abreRecuadro, y lo que viene no es de su panel
-    if (estado.puntero)
-        pintaPuntero();
-    if (estado.ayuda)
-        pintaAyuda();
-    if (estado.vigila && !estado.errores.empty())
-        pintaErrores();
+    if (estado.puntero || estado.ayuda || !estado.aviso.empty() || !estado.errores.empty())
+        pintaSobreLaImagen();
     if (std::exchange(estado.captura, false))
         guardaVentana();
     __real_glutSwapBuffers();
@@ -242,11 +248,13 @@ void pideCaptura() {
 void cambiaPuntero() {
     estado.puntero = !estado.puntero;
     estado.raton = glm::ivec2(-1); // dónde está no se sabe hasta que se mueva
+    estado.aviso.clear();
     if (!estado.puntero) {
         __real_glutMotionFunc(estado.arrastre);
         __real_glutPassiveMotionFunc(estado.movimiento);
         return;
     }
+    anuncia("mueve el ratón");
     __real_glutMotionFunc([](int x, int y) {
         sigueAlRaton(x, y);
         if (estado.arrastre)
@@ -261,7 +269,8 @@ void cambiaPuntero() {
 
 void cambiaVigilancia() {
     estado.vigila = !estado.vigila;
-    std::puts(estado.vigila ? "vigilo los shaders" : "ya no vigilo los shaders");
+    anuncia(estado.vigila ? "vigilo los shaders" : "ya no vigilo los shaders");
+    std::puts(estado.aviso.c_str());
     std::fflush(stdout);
     estado.errores.clear();
     if (estado.vigila)

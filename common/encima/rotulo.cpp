@@ -35,24 +35,17 @@ glm::vec3 legible(const glm::vec3 &color, const glm::vec3 &halo) {
     return glm::mix(color, contrario, cuanto);
 }
 
-// Los caracteres de un texto en UTF-8, línea a línea.
+// Los caracteres de un texto en UTF-8, línea a línea. Los de cuatro bytes no salen los que son: no hay signo para ellos.
 std::vector<std::u32string> lineasDe(const std::string &texto) {
     std::vector<std::u32string> lineas(1);
-    for (std::size_t i = 0; i < texto.size();) {
-        const unsigned primero = static_cast<unsigned char>(texto[i++]);
-        char32_t c = primero;
-        if (primero >= 0xF0)
-            c &= 0x07u;
-        else if (primero >= 0xE0)
-            c &= 0x0Fu;
-        else if (primero >= 0x80)
-            c &= 0x1Fu;
-        for (; i < texto.size() && (static_cast<unsigned char>(texto[i]) & 0xC0) == 0x80; ++i)
-            c = c << 6 | (static_cast<unsigned char>(texto[i]) & 0x3Fu);
-        if (c == U'\n')
+    for (const unsigned char byte : texto) {
+        std::u32string &linea = lineas.back();
+        if (byte == '\n')
             lineas.emplace_back();
-        else
-            lineas.back() += c;
+        else if (byte < 0x80 || byte >= 0xC0)
+            linea += byte < 0x80 ? byte : byte & 0x1Fu;
+        else if (!linea.empty())
+            linea.back() = linea.back() << 6 | (byte & 0x3Fu);
     }
     return lineas;
 }
@@ -128,19 +121,13 @@ struct Rotulo {
                 const glm::vec2 celda(i % COLUMNAS_ATLAS * ANCHO_CELDA,
                                       (FILAS_ATLAS - 1 - i / COLUMNAS_ATLAS) * ALTO_CELDA);
                 const CajaSigno caja = letra().caja(i);
-                const auto vertice = [&](float x, float y) {
-                    const glm::vec2 texel(x, y);
+                const glm::vec2 desde(caja.x0 - margen, caja.y0 - margen),
+                    hasta(caja.x1 + margen, caja.y1 + margen);
+                for (const glm::vec2 lado : {glm::vec2(0, 0), {1, 0}, {1, 1}, {0, 0}, {1, 1}, {0, 1}}) {
+                    const glm::vec2 texel = glm::mix(desde, hasta, lado);
                     const glm::vec2 pixel = pluma + (texel - origen) * escala;
                     vertices.push_back({glm::vec3(pixel * porPixel - 1.0f, 0), (celda + texel) / atlas});
-                };
-                const float x0 = caja.x0 - margen, y0 = caja.y0 - margen, x1 = caja.x1 + margen,
-                            y1 = caja.y1 + margen;
-                vertice(x0, y0);
-                vertice(x1, y0);
-                vertice(x1, y1);
-                vertice(x0, y0);
-                vertice(x1, y1);
-                vertice(x0, y1);
+                }
                 pluma.x += float(paso);
             }
             pluma = {e.x, pluma.y - float(interlinea)};

@@ -49,10 +49,11 @@ if(NOT CMAKE_CROSSCOMPILING) # si no, las texturas son las de la compilación co
   add_subdirectory(assets)
 endif()
 
-add_library(consola OBJECT glut/ventana/windows.cpp glut/ventana/windows.rc)
+add_library(consola OBJECT glut/ventana/windows.cpp glut/ventana/mayusculas.cpp glut/ventana/windows.rc)
 target_link_libraries(consola PRIVATE comun)
 add_library(glut_ventana INTERFACE)
 target_sources(glut_ventana INTERFACE $<TARGET_OBJECTS:consola>)
+target_link_libraries(glut_ventana INTERFACE -Wl,--wrap=glutKeyboardFunc)
 
 precompila_cabeceras()
 

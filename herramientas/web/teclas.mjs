@@ -8,12 +8,16 @@ const ESPECIALES = {
   PageUp: 'REPAG', PageDown: 'AVPAG', Insert: 'INSERTAR',
 };
 
-export function ordenDeTecla({ key, ctrlKey, metaKey, altKey }) {
+// Con el bloqueo de mayúsculas, la tecla es la de sin él.
+const sinBloqueo = letra => letra === letra.toLowerCase() ? letra.toUpperCase() : letra.toLowerCase();
+
+export function ordenDeTecla(suceso) {
+  const { key, ctrlKey, metaKey, altKey } = suceso;
   if (ctrlKey || metaKey || (altKey && key.length > 1)) return ''; // son del navegador
   if (TECLAS[key]) return `tecla ${TECLAS[key]}`;
   if (ESPECIALES[key]) return `especial ${ESPECIALES[key]}`;
   if (/^F([1-9]|1[01])$/.test(key)) return `especial ${key}`;
-  return /^[!-~]$/.test(key) ? `tecla ${key}` : '';
+  return /^[!-~]$/.test(key) ? `tecla ${suceso.getModifierState('CapsLock') ? sinBloqueo(key) : key}` : '';
 }
 
 const DE_TODOS = /^(tecla Esc|especial F\d+)$/; // las de common/ventana.h, que fuera del lienzo son del navegador

@@ -63,16 +63,20 @@ def test_lo_que_no_se_entiende(pedido, dice, capsys):
     assert dice in str(fin.value.code) + capsys.readouterr().err
 
 
-def test_cada_orden_tiene_su_ayuda(capsys):
+def test_cada_orden_tiene_su_ayuda(capfd, monkeypatch):
     assert all(f"./lab {orden}" in lab.ayuda() for orden in lab.ORDENES)
     for orden in lab.ORDENES:
         with pytest.raises(SystemExit) as fin:
             lab.entiende(orden, ["--help"])
-        dicho = capsys.readouterr().out
+        dicho = capfd.readouterr().out
         assert fin.value.code == 0 and f"uso: ./lab {orden}" in dicho
         assert not re.search("usage|options|positional|show this", dicho)
     for pedida, es in ("galería", "galeria"), ("test", "prueba"), ("ver", "ver"):
         assert lab.elige_orden(pedida) == es
+    monkeypatch.setattr(sys, "argv", ["lab", lab.__file__.split("/herramientas/")[0]])
+    with pytest.raises(SystemExit) as fin:
+        lab.elige_orden("--version")
+    assert fin.value.code == 0 and re.search(r"laboratorio del 20\d\d-\d\d-\d\d \([0-9a-f]+\)", capfd.readouterr().out)
 
 
 PARA_CTEST = {

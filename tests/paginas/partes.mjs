@@ -305,18 +305,21 @@ test('cada tecla da una orden que el guion entiende', () => {
     'End', 'PageUp', 'PageDown', 'Insert'];
   for (let i = 1; i <= 24; ++i) claves.push(`F${i}`);
   for (let letra = 32; letra < 127; ++letra) claves.push(String.fromCharCode(letra));
-  const dadas = claves.map(key => ordenDeTecla({ key })).filter(Boolean);
+  const ordenDe = (key, ...con) =>
+    ordenDeTecla({ key, [con]: true, getModifierState: cual => con.includes(cual) }); // CapsLock solo está ahí
+  const dadas = claves.map(key => ordenDe(key)).filter(Boolean);
   assert.equal(new Set(dadas).size, 4 + 9 + 11 + 95);
   for (const orden of dadas) {
     const [que, tecla, ...nada] = orden.split(' ');
     const letra = que === 'tecla' && tecla.length === 1 && tecla !== ';';
     assert.ok(!nada.length && (letra || entiende(que === 'tecla' ? 'TECLAS' : 'ESPECIALES').includes(tecla)), orden);
   }
-  tabla((key, con) => ordenDeTecla({ key, [con]: true }),
+  tabla(ordenDe,
     ['Escape', '', 'tecla Esc'], ['ArrowUp', '', 'especial ARRIBA'], ['Delete', '', 'tecla Supr'],
     ['PageDown', '', 'especial AVPAG'], ['a', '', 'tecla a'], ['F5', '', 'especial F5'], ['@', 'altKey', 'tecla @'],
     ['Tab', '', ''], ['F12', '', ''], ['ñ', '', ''],
-    ['r', 'ctrlKey', ''], ['r', 'metaKey', ''], ['ArrowLeft', 'altKey', '']);
+    ['r', 'ctrlKey', ''], ['r', 'metaKey', ''], ['ArrowLeft', 'altKey', ''],
+    ['D', 'CapsLock', 'tecla d'], ['d', 'CapsLock', 'tecla D'], ['1', 'CapsLock', 'tecla 1']);
   assert.deepEqual(BOTONES.filter(b => !entiende('BOTONES').includes(b)), []);
 });
 

@@ -134,7 +134,8 @@ def ayuda(p):
 
 
 def puntero(p):
-    """F2 dice el píxel que hay bajo el puntero: dónde, como lo da el ratón, y su color en la imagen."""
+    """F2 dice el píxel que hay bajo el puntero: dónde, como lo da el ratón, y su color en la imagen. Hasta que se mueve
+    dice que hay que moverlo, y F3, que vigila."""
     mira = [orden for x, y in PIXELES for orden in (f"mueve {x} {y}", "captura")]
     sin = p.vistas(mira)
     con = p.vistas(["especial F2", *mira])
@@ -143,6 +144,10 @@ def puntero(p):
         dice = [q.texto for q in vista.encima if q.tipo == "rotulo"][-1:]
         if dice != [debe]:
             yield "F2", f"F2 no dice «{debe}»: {dice}"
+    for tecla, anuncia in ("F2", "mueve el ratón"), ("F3", "vigilo los shaders"):
+        vistas = p.vistas([f"especial {tecla}", "captura", "espera 2100", "captura"])
+        if [anuncia in [q.texto for q in vista.encima] for vista in vistas] != [True, False]:
+            yield "F2", f"{tecla} no dice «{anuncia}» un rato, o no se va"
     orbita = ["boton IZQUIERDO abajo 60 60", "arrastra 90 50", "boton IZQUIERDO arriba 90 50", "captura"]
     if p.vistas(["especial F2 ×2", *orbita])[0].filas != p.vistas(orbita)[0].filas:
         yield "F2", "con F2 puesta y quitada, arrastrar no es lo mismo"
