@@ -1,6 +1,6 @@
 // La matriz que transforma las normales (§3.3, figura 3.1): en cada lado de un prisma, en verde su normal por N
-// y en rojo por M, que no es perpendicular al lado. Con una reflexión, en naranja, la traspuesta de la adjunta
-// tal como la da el libro: apunta hacia dentro, porque le falta el signo del determinante (transformaciones.h).
+// y en rojo, a trazos, por M, que no es perpendicular al lado. Con una reflexión, en naranja, la traspuesta de la
+// adjunta tal como la da el libro: apunta hacia dentro, porque le falta el signo del determinante (transformaciones.h).
 // Si M y N coinciden solo se ve la verde; una cara aplastada en una recta no tiene normal. La normal de cada cara es el
 // producto vectorial de dos de sus aristas (§2.1): con los vértices en el otro orden sale hacia dentro.
 // Controles: 1 original · 2 S(2,1,1) · 3 reflexión S(−2,1,1) · 4 aplastamiento S(2,0,1) · 5 giro y traslación ·
@@ -86,8 +86,13 @@ static void trazaLado(int i, const glm::mat4 &M, const glm::mat4 &transformacion
     const glm::vec4 medio(0.5f * (a + b), 0.52f * FONDO, 1), medioLado(0.5f * (b - a), 0, 0);
     const glm::vec3 pie = M * medio;
     const float largo = estado.alReves ? LARGO / 2 : LARGO;
-    const auto flecha = [&](const glm::vec3 &v, const glm::vec3 &color, const char *nombre, float mide) {
-        trazaFlecha(pie, pie + mide * v, transformacion, color, 1.5f * GROSOR);
+    const auto flecha = [&](const glm::vec3 &v, const glm::vec3 &color, const char *nombre, float mide,
+                            int trazos = 0) {
+        float desde = 0; // un quinto por trazo, la mitad vacía
+        for (int k = 0; k < trazos; ++k, desde += 0.2f * mide)
+            trazaSegmentos({pie + desde * v, pie + (desde + 0.1f * mide) * v}, transformacion, color,
+                           1.5f * GROSOR);
+        trazaFlecha(pie + desde * v, pie + mide * v, transformacion, color, 1.5f * GROSOR);
         if (i == CASOS[estado.elegido].ladoRotulado)
             rotulaPunto(nombre, pie + (estado.alReves ? -0.8f : mide + 0.24f) * unitario(v), transformacion,
                         color, Lado::CENTRO);
@@ -111,7 +116,7 @@ static void trazaLado(int i, const glm::mat4 &M, const glm::mat4 &transformacion
         if (hayNormal)
             flecha(conN, VERDE, coinciden ? "N·n = M·n" : "N·n", largo);
         if (!coinciden)
-            flecha(conM, ROJO, "M·n", largo);
+            flecha(conM, ROJO, "M·n", largo, 3);
         if (glm::determinant(glm::mat3(M)) < 0)
             flecha(-conN, NARANJA, "adj(M)ᵀ·n", LARGO / 2);
     }

@@ -54,16 +54,18 @@ private:
             return;
         }
         deN.push_back(flecha(haciaFuera));
-        if (c.sx != 1)
-            deM.push_back(flecha({c.sx * (by - ay), c.sy * (ax - bx), 0}));
+        const Linea roja = flecha({c.sx * (by - ay), c.sy * (ax - bx), 0});
+        const auto enRoja = [&](double t) { return roja[0] + t * (roja[1] - roja[0]); };
+        for (int trazo = 0; c.sx != 1 && trazo < 4; ++trazo) // de quinto en quinto, y la punta
+            deM.push_back({enRoja(0.2 * trazo), enRoja(trazo < 3 ? 0.2 * trazo + 0.1 : 1)});
         if (c.sx < 0)
             deLaAdjunta.push_back(flecha(adjunta, c.alReves ? 0.75 : 0.375));
     }
 };
 
 // El prisma en cada píxel: la normal de cada cara, ya transformada, mira hacia fuera del centro. Y en cada lado sus
-// flechas, de largo 0.75 y, hacia dentro, la mitad: verde, la perpendicular; roja, la del lado original con su x y su y
-// escaladas; y naranja la de la adjunta del libro, el producto vectorial tal cual. Azul, el propio lado; y, sin
+// flechas, de largo 0.75 y, hacia dentro, la mitad: verde, la perpendicular; roja y a trazos, la del lado original con su
+// x y su y escaladas; y naranja la de la adjunta del libro, el producto vectorial tal cual. Azul, el propio lado; y, sin
 // normalizar, gris la unitaria y verde lo que mide con la inversa traspuesta.
 TEST(ProgramaNormales, CadaCasoContraElOraculo) {
     const CasoNormales casos[] = {
