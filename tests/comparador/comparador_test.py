@@ -56,12 +56,14 @@ def cambiada(componente, cuantos, niveles):
 
 
 def test_lo_que_se_ve_distinto(tmp_path):
-    """Nada lo disculpa."""
+    """Nada lo disculpa; y la imagen de la diferencia es esa, ocho veces."""
     rgb = BUENA[-3 * 43200 :]
     corrida, oscura = rgb[3:] + rgb[:3], bytes(round(0.95 * c) for c in rgb)
     azul = b"".join(rgb[i : i + 3][::-1] for i in range(0, len(rgb), 3))
     for (que, otra), modo in itertools.product(enumerate((corrida, oscura, azul)), ("", "--amplia", "--otro")):
-        assert compara(tmp_path, BUENA, BUENA[: -len(rgb)] + otra, modo)[0] == 1, (que, modo)
+        assert compara(tmp_path, BUENA, BUENA[: -len(rgb)] + otra, modo + " --deja=de")[0] == 1, (que, modo)
+        deja = (tmp_path / "de-diferencia.ppm").read_bytes()[-len(rgb) :]
+        assert deja == bytes(min(8 * abs(a - b), 255) for a, b in zip(rgb, otra))
 
 
 def test_a_uno_y_otro_lado_de_cada_limite(tmp_path):
