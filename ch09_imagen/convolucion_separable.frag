@@ -15,7 +15,7 @@ out vec4 colorFragmento;
 
 // Una pasada de un filtro separable: la ecuación 9.1 con un filtro de talla × 1 o de 1 × talla.
 void main() {
-    // E9.2: la suma, con filtro, de los `talla` texeles que hay a lo largo de eje; el central, (talla − 1) / 2
+    // E9.2: la suma, con filtro, de los texeles que hay a lo largo de eje, tantos como talla; el central, (talla − 1) / 2
     vec2 paso = eje / vec2(textureSize(imagen, 0));
     int centro = (talla - 1) / 2;
     vec3 suma = vec3(0.0);
