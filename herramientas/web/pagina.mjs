@@ -57,6 +57,7 @@ export const compilacion = new Compilacion({
 });
 export const correccion = new Correccion({ compilacion,
   ensena: async (guion, pixel) => {
+    ensenaCaso(); // no es ninguno
     await empieza(guion);
     una('.cuadros').scrollIntoView({ block: 'nearest' }); // en un teléfono no se vería
     await explicaEn(pixel);
