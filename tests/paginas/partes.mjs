@@ -465,6 +465,9 @@ test('los errores de los shaders', () => {
     ["a.frag:3: '-' : wrong operand types: 'const int' and 'in highp float' — «1 - a»", {
       ruta: 'ch03_a/a.frag', linea: 3,
       mensaje: "'-' : wrong operand types: 'const int' and 'in highp float' (un real lleva punto: 1.0 y no 1)" }],
+    ["a.frag:3: '/' : types 'in 2-component vector of float' and '2-component vector of int' — «e / t»", {
+      ruta: 'ch03_a/a.frag', linea: 3, mensaje: "'/' : types 'in 2-component vector of float' and " +
+        "'2-component vector of int' (uno es de enteros: vec2(…) lo hace de reales)" }],
     ['a.vert y a.frag no enlazan: eso', { ruta: '', linea: 0, mensaje: 'a.vert y a.frag no enlazan: eso' }],
     ['giro 12', undefined]);
   const desde = performance.now();
