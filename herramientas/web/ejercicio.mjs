@@ -155,6 +155,7 @@ export class Ejercicio {
     const lienzo = crea('canvas', { role: 'img', ariaLabel: 'El objetivo' });
     una('.objetivo').replaceChildren(lienzo);
     const original = await arranca(this.programa, { lienzo, ancho, alto, ...opciones });
+    if (original.fallo) return original;
     return Object.assign(Object.create(suyo), {
       objetivo: lienzo,
       opciones: () => (suyo.vacio ? original : suyo).opciones(),

@@ -18,7 +18,7 @@ import { Ejercicio } from './ejercicio.mjs';
 import { casoDe, enEnlace, hazEnlace, leeEnlace, pixelEn, programaDe } from './enlaces.mjs';
 import { atiendeTeclado } from './entrada.mjs';
 import { Escena } from './escena.mjs';
-import { ensenaCaso, ponCasos, ponFicha } from './ficha.mjs';
+import { ensenaCaso, ensenaImagen, ponCasos, ponFicha } from './ficha.mjs';
 import { cierraExplicado, ensena } from './explicado.mjs';
 import { deLaCarpeta, delEjercicio, esShader, incluidas, ordenaFuentes } from './fuentes.mjs';
 import { casoInicial } from './guiones.mjs';
@@ -40,7 +40,8 @@ let ruta; // a la que se ha ido
 let sitio = 0; // por dónde se dejó el catálogo
 let explicando = Promise.resolve();
 
-export const escena = new Escena({ alArrancar, alRecargar, alFallar: error => compilacion.falla(error) });
+export const escena = new Escena({ alArrancar, alRecargar, alFallar: error => compilacion.falla(error),
+  sinWebGL: () => ensenaImagen(visto.programa) });
 export const editor = new Editor({
   alEscribir: () => {
     visto.ejercicio?.olvidaRevision();
