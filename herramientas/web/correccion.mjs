@@ -71,11 +71,11 @@ export class Correccion {
     const datos = await deEjercicio(ejercicio.codigo), arranca = this.#arranca(ejercicio);
     Object.assign(hecha, await this.#piezas(ejercicio, datos, arranca, corrector, hecha));
     if (hecha.nota === 100) ejercicio.resuelve();
-    const [suNota, ...resumen] = this.#resumen(hecha), medio = [];
-    const pon = (...dice) => { if (sigue()) this.#pon(suNota, ...dice, ...medio, ...resumen); };
+    const resumen = this.#resumen(hecha), fallo = [];
+    const pon = (...dice) => { if (sigue()) this.#pon(...resumen.slice(0, -1), ...dice, ...fallo, resumen.at(-1)); };
     pon();
     const primero = await corrector.primero(hecha.guiones);
-    if (primero) medio.push(...this.#fallo(primero, ejercicio));
+    if (primero) fallo.push(...this.#fallo(primero, ejercicio));
     const mira = datos.errores && (primero || Object.keys(hecha.otros).length);
     if (mira) pon(linea('Mirando si es un error conocido…'));
     hecha.dice = mira ? await this.#motivos(ejercicio, datos, arranca, corrector, hecha) : [];

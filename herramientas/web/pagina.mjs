@@ -46,6 +46,7 @@ export const editor = new Editor({
   alEscribir: () => {
     visto.ejercicio?.olvidaRevision();
     correccion.olvida();
+    if (visto.ejercicio?.seCompila) compilacion.adelanta();
   },
   alCambiar: (fichero, texto) => esShader(fichero) ? conCuidado(() => escena.cambia(fichero, texto)) : editor.marca(),
   alCompilar: SE_COMPILA && compila,
@@ -220,9 +221,10 @@ function entra(datos, caso, guion) {
   ejercicio?.pon(() => editor.cambiaDeVista(), corrige);
   if (ejercicio?.seCompila && compilacion.compilador.listo && !compilacion.modulo(programa, visto.taller, ejercicio))
     compila();
-  if (guion === undefined) return empiezaCaso(caso);
-  ensenaCaso();
-  return empieza(guion);
+  if (guion !== undefined) ensenaCaso();
+  const empezado = guion === undefined ? empiezaCaso(caso) : empieza(guion);
+  // en el disco no hay que esperar a que escriba para traerlo
+  return empezado.then(() => { if (ejercicio?.seCompila && location.protocol === 'file:') compilacion.adelanta(); });
 }
 
 function guardaImagen() {
