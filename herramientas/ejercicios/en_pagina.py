@@ -1,13 +1,16 @@
 """Lo que la página de ./lab web sabe de cada ejercicio: lo que se da, lo que se pide y cómo se corrige. Todo es de
 ./lab nuevo y de ./lab corrige, escrito una vez al hacer la página: allí solo se juega."""
+import os
 from dataclasses import asdict
+from pathlib import Path
 
-from base import libro, marcas
+from base import defectos, libro, marcas
 from base.guiones import en_palabras
 from ejercicios import nuevo, propios, reglas
 from ejercicios.corrige import piezas as corrige_piezas
 from ejercicios.corrige import shaders
 from ejercicios.corrige.banco import guiones
+from ejercicios.corrige.motivos import Motivos, que_dice
 
 SEMILLA = "1"  # la de ./lab corrige, si no se dice otra
 
@@ -65,7 +68,39 @@ def corrige(raiz, build, programa, ref, cuantos=None):
         "palabras": {o: en_palabras(o) for o in sorted(ordenes)},
         "reglas": asdict(suyas) | {"dichas": suyas.en_palabras},
         **piezas(raiz, programa, ref, suyas),
+        "errores": errores(raiz, programa, ref),
     }
+
+
+def errores(raiz, programa, ref):
+    """Los que se conocen, para plantarlos en la solución, si no está oculta: ella con los de C++ puestos, que los elige
+    $LAB_MUTANTE; de los de un shader, qué se cambia; y los que pueden ir de dos en dos. Los juega web/motivos.mjs."""
+    if programa.raices or ref in marcas.ocultos(raiz):
+        return None
+    motivos = Motivos(raiz, programa, ref, None, None)
+    limpios, donde = motivos.limpio(motivos.textos()), "" if nuevo.es_de_shaders(ref) else f"{suya(programa)}/"
+
+    def suyo(m):
+        if not m.en_shader:
+            return {"dice": que_dice(m), "numero": m.numero}
+        f = m.fichero if m.fichero in limpios else Path(m.fichero).name
+        cambiado = motivos.limpio(motivos.estropeados(m))[f]
+        return {"dice": que_dice(m), "en": f"{donde}{f}", "cambia": lo_que_cambia(limpios[f], cambiado)}
+
+    cual = {m: i for i, m in enumerate(motivos.defectos)}
+    puestos = motivos.con_los_de_cpp(motivos.defectos, f'#include "{defectos.MUTANTE_H}"\n')
+    return {
+        "textos": {f"{donde}{f}": texto for f, texto in puestos.items()},
+        "defectos": [suyo(m) for m in motivos.defectos],
+        "pares": [[cual[a], cual[b], int(a.imita == b.imita)] for a, b in motivos.pares([m for m in cual if m.dice])],
+    }
+
+
+def lo_que_cambia(uno, otro):
+    """[desde, hasta, lo que va en su lugar]: en el primero, para que sea el segundo."""
+    antes = len(os.path.commonprefix([uno, otro]))
+    despues = min(len(os.path.commonprefix([uno[::-1], otro[::-1]])), len(uno) - antes, len(otro) - antes)
+    return [antes, len(uno) - despues, otro[antes : len(otro) - despues]]
 
 
 def piezas(raiz, programa, ref, reglas_):

@@ -13,6 +13,8 @@ export class Compilacion {
   compilador = new Compilador();
   #modulos = new Map(); // de cada programa, el que se ha compilado y de qué cambios
   #haciendo;
+  #trayendo;
+  #adelantado = false;
 
   /// `visto()` es lo que se ve; cuando hay algo que enseñar llama a `alDecir()`, y si ha salido, a `alCompilar()`.
   constructor({ visto, alDecir, alCompilar, vaA }) {
@@ -71,7 +73,25 @@ export class Compilacion {
     return this.compilador.compila({ ...programa, carpeta: ejercicio?.carpeta }, hay, cambios.map(([ruta]) => ruta));
   }
 
-  async #trae() {
+  /// Se va a compilar: que lo que es de todos esté hecho. Lo que falle se dirá al compilar.
+  async adelanta() {
+    if (!SE_COMPILA || this.#adelantado) return;
+    this.#adelantado = true;
+    try {
+      await this.#trae();
+      await this.compilador.adelanta();
+    } catch {
+      estado.textContent = '';
+    }
+  }
+
+  /// De una vez, lo pida quien lo pida.
+  #trae() {
+    this.#trayendo ??= this.#traeYa().finally(() => { this.#trayendo = undefined; });
+    return this.#trayendo;
+  }
+
+  async #traeYa() {
     if (this.compilador.listo) return;
     const corta = new AbortController();
     cancela.onclick = () => corta.abort();
@@ -82,6 +102,7 @@ export class Compilacion {
         estado.textContent = `Trayendo el compilador, una vez: ${Math.round(bytes / 1e6)} de ${cuantoPesa()}`;
       }, corta.signal);
       compila.textContent = 'Compilar';
+      estado.textContent = '';
     } finally {
       barra.hidden = cancela.hidden = true;
     }

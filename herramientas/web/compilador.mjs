@@ -86,6 +86,9 @@ export class Compilador {
     });
   }
 
+  /// Lo que se hace una vez, antes del primero.
+  adelanta() { return this.#pide({ adelanta: true }); }
+
   /// El programa con esos fuentes { ruta: texto }, de los que algunos han cambiado: { modulo, si sale; dichos }. El de
   /// un ejercicio está en su carpeta, y usa también las cabeceras de su capítulo.
   async compila({ nombre, capitulo, carpeta = capitulo }, fuentes, cambiados) {

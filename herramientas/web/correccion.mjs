@@ -3,11 +3,13 @@ import { deEjercicio } from './almacen.mjs';
 import { boton, crea, una } from '../base/documento.mjs';
 import { hazEnlace } from './enlaces.mjs';
 import { esFuente } from './fuentes.mjs';
+import { porQue } from './motivos.mjs';
 import { BIEN, CASI, nota, parte, redondea } from './nota.mjs';
-import { porPiezas, SoloLoEntero } from './piezas.mjs';
+import { conTodas, estan, porPiezas, SoloLoEntero } from './piezas.mjs';
 import { motivoDe } from './programa.mjs';
 
 const panel = una('.correccion');
+const COMO_AL_EMPEZAR = 'se ve lo mismo que en el punto de partida';
 const cifra = n => n.toLocaleString('es');
 const linea = (...dice) => crea('p', {}, ...dice);
 const cuanto = parte => parte === 1 ? 'bien' : `${cifra(redondea(100 * parte))} de 100`;
@@ -52,7 +54,10 @@ export class Correccion {
 
   async #juega(ejercicio, sigue) {
     const { compilacion } = this;
-    if (ejercicio.seCompila && !await compilacion.alDia(ejercicio)) await compilacion.hazlo();
+    if (ejercicio.seCompila && !await compilacion.alDia(ejercicio)) {
+      ejercicio.corrector(sigue).then(corrector => corrector.adelanta());
+      await compilacion.hazlo();
+    }
     if (!sigue()) return undefined;
     if (ejercicio.seCompila && !await compilacion.alDia(ejercicio)) {
       const malos = compilacion.dichos.filter(d => d.clase === 'error');
@@ -63,27 +68,68 @@ export class Correccion {
     const compilado = compilacion.modulo(ejercicio.programa, ejercicio.taller, ejercicio);
     const corrector = await ejercicio.corrector(sigue, await ejercicio.taller.escritos(), compilado);
     const hecha = await corrector.corrige((n, de) => this.#pon(linea(`Corrigiendo: ${n + 1} de ${de} guiones…`)));
-    Object.assign(hecha, await this.#piezas(ejercicio, corrector, hecha));
+    const datos = await deEjercicio(ejercicio.codigo), arranca = this.#arranca(ejercicio);
+    Object.assign(hecha, await this.#piezas(ejercicio, datos, arranca, corrector, hecha));
     if (hecha.nota === 100) ejercicio.resuelve();
-    const resumen = this.#resumen(hecha);
-    this.#pon(...resumen);
+    const resumen = this.#resumen(hecha), fallo = [];
+    const pon = (...dice) => { if (sigue()) this.#pon(...resumen.slice(0, -1), ...dice, ...fallo, resumen.at(-1)); };
+    pon();
     const primero = await corrector.primero(hecha.guiones);
-    if (primero && sigue()) this.#pon(...resumen.slice(0, -1), ...this.#fallo(primero, ejercicio), resumen.at(-1));
+    if (primero) fallo.push(...this.#fallo(primero, ejercicio));
+    const mira = datos.errores && (primero || Object.keys(hecha.otros).length);
+    if (mira) pon(linea('Mirando si es un error conocido…'));
+    hecha.dice = mira ? await this.#motivos(ejercicio, datos, arranca, corrector, hecha) : [];
+    pon(...hecha.dice.map(dice => linea(crea('b', { textContent: `${dice[0].toUpperCase()}${dice.slice(1)}.` }))));
     return hecha;
   }
 
+  /// Cómo arranca el programa con esos textos, o nada, si no compilan: { como, y lo que se añade }.
+  #arranca(ejercicio) {
+    const { compilacion } = this;
+    return async (textos, mas = {}) => {
+      const fuentes = Object.entries(textos).filter(([ruta]) => esFuente(ruta));
+      const compilado = ejercicio.seCompila && await ejercicio.modulo(JSON.stringify(fuentes),
+        async () => (await compilacion.conEsos(ejercicio.programa, ejercicio, fuentes)).modulo);
+      return !ejercicio.seCompila || compilado ? como => ejercicio.arranca({ ...como, textos, compilado,
+        entorno: { ...como.entorno, ...mas } }) : undefined;
+    };
+  }
+
+  /// Qué errores conocidos son, como lo dice ./lab corrige: los de lo entero o, si no, los de cada pieza.
+  async #motivos(ejercicio, datos, arranca, corrector, { guiones, piezas }) {
+    const { errores: { textos, defectos, pares }, huecos = [], solucion, esqueleto } = datos;
+    if (estan(esqueleto, await ejercicio.taller.escritos())) return [COMO_AL_EMPEZAR];
+    const con = (...suyos) => {
+      const cambiados = { ...textos }, deAtras = (uno, otro) => otro.cambia[0] - uno.cambia[0];
+      for (const { en, cambia: [desde, hasta, por] } of suyos.filter(d => d.en).sort(deAtras))
+        cambiados[en] = cambiados[en].slice(0, desde) + por + cambiados[en].slice(hasta);
+      return arranca(cambiados, { LAB_MUTANTE: suyos.map(d => d.numero ?? '').join() });
+    };
+    const sePlanta = d => d.en || ejercicio.seCompila;
+    const deErrores = defectos.map(d => ({ dice: d.dice, arranca: () => sePlanta(d) ? con(d) : undefined }));
+    const deHuecos = huecos.map(({ pide, partida }, i) => ({ dice: `parece que falta: ${pide}`,
+      arranca: () => arranca(conTodas(solucion, j => j === i ? partida : huecos[j].hecha)) })).filter((_, i) => piezas?.[i].parte !== 1);
+    const dos = (i, j) => ({ dice: `${defectos[i].dice}; y que ${defectos[j].dice.replace('parece que ', '')}`,
+      arranca: () => con(defectos[i], defectos[j]) });
+    const de = guiones => porQue(corrector, guiones, { variantes: [...deHuecos, ...deErrores], defectos: deErrores, pares,
+      dos, esqueleto: { dice: '', arranca: () => arranca(esqueleto) } });
+    const junto = dichos => dichos.filter(Boolean).slice(0, 3).join('; o ');
+    const acaban = guiones.some(({ partida, ordenes }) => partida && (partida.estado ||
+      partida.imagenes.length <= ordenes.length));
+    const entero = acaban ? [] : await de(guiones);
+    if (junto(entero)) return [junto(entero)];
+    const deCada = [];
+    for (const { pide, falta, parte, guiones } of piezas ?? [])
+      if (parte < 1) deCada.push(falta ? `parece que falta: ${pide}` : junto(await de(guiones)));
+    const dichos = deCada.filter(Boolean);
+    return dichos.length ? dichos : entero.length ? [COMO_AL_EMPEZAR] : [];
+  }
+
   /// Lo que vale cada pieza, y la nota con ellas; o por qué no se sabe.
-  async #piezas(ejercicio, corrector, { guiones, otros, reglas }) {
-    const datos = await deEjercicio(ejercicio.codigo);
+  async #piezas(ejercicio, datos, arranca, corrector, { guiones, otros, reglas }) {
     if (!datos.huecos || parte(guiones, reglas) === 1) return {};
     if (!datos.solucion) return { entero: 'la solución no está en la página' };
-    const { compilacion } = this, escritos = await ejercicio.taller.escritos();
-    const arranca = async textos => {
-      const fuentes = Object.entries(textos).filter(([ruta]) => esFuente(ruta));
-      const compilado = ejercicio.seCompila &&
-        (await compilacion.conEsos(ejercicio.programa, ejercicio, fuentes)).modulo;
-      return !ejercicio.seCompila || compilado ? como => ejercicio.arranca({ ...como, textos, compilado }) : undefined;
-    };
+    const escritos = await ejercicio.taller.escritos();
     const avanza = (i, de) => this.#pon(linea(`Corrigiendo, pieza a pieza: ${i + 1} de ${de}…`));
     try {
       const piezas = await porPiezas({ ...datos, codigo: ejercicio.codigo }, escritos,

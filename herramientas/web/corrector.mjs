@@ -32,116 +32,134 @@ async function seParecen(una, otra, tolerancia) {
   return vale(tolerancia) ? BIEN : vale('otro') ? CASI : 0;
 }
 
-/// Un programa que juega: se le da una orden y deja una imagen. `arranca(opciones)` lo pone en marcha.
-class Jugador {
+/// La primera, si las dos imágenes son la misma: así se guarda una.
+const laMisma = (una, otra) => una?.length === otra.length && una.every((b, i) => b === otra[i]) ? una : otra;
+
+/// Lo que deja un programa con unas órdenes: las imágenes que hay al empezar y tras cada una, los títulos, lo que
+/// escribe (texto) y lo que dice (dicho), y cómo acaba.
+class Partida {
+  imagenes = [];
+  titulos = [];
   texto = [];
   dicho = [];
   estado = 0;
-  #escala = '';
 
-  static async empieza(arranca) {
-    const jugador = new Jugador(), { texto, dicho } = jugador;
+  /// `arranca(opciones)` lo pone en marcha; tras cada imagen `sigue(imagen, i)` dice si hace falta otra, o lanza.
+  static async juega(arranca, ordenes, sigue) {
+    const partida = new Partida(), { imagenes, texto, dicho } = partida;
     const di = (linea, esError) => (esError ? dicho : texto).push(linea.trimEnd());
+    let sesion, escala = '';
     try {
-      jugador.sesion = await arranca({ ...COMO, lienzo: crea('canvas'), di });
-      jugador.mira();
+      sesion = await arranca({ ...COMO, lienzo: crea('canvas'), di });
     } catch (error) {
-      jugador.acaba(error, 1);
+      return partida.#acaba(error, 1);
     }
-    return jugador;
+    try {
+      for (const [i, orden] of ['', ...ordenes].entries()) {
+        if (orden.startsWith('escala')) escala = `${orden}; `;
+        if (orden) sesion.orden(escala + orden);
+        sesion.orden('captura /imagen.ppm');
+        if (!sesion.vivo) break;
+        imagenes.push(laMisma(imagenes.at(-1), sesion.lee('/imagen.ppm')));
+        if (!await sigue(imagenes[i], i)) break;
+        if (i % 4 === 3) await respira();
+      }
+      partida.#titula(new TextDecoder().decode(sesion.lee('/titulos')).split('\n'));
+      partida.vivo = sesion.vivo;
+      return sesion.fallo ? partida.#acaba(sesion.error, sesion.estado) : partida;
+    } finally {
+      sesion.cierra();
+    }
   }
 
-  acaba(error, estado) {
-    this.cuelga = /no acaba/.test(error?.message);
-    this.error = error;
-    this.estado = estado;
-  }
+  #acaba(error, estado) { return Object.assign(this, { error, estado, cuelga: /no acaba/.test(error?.message) }); }
 
-  get vivo() { return Boolean(this.sesion?.vivo); }
-
-  da(orden) {
-    if (!this.vivo) return;
-    if (orden.startsWith('escala')) this.#escala = `${orden}; `;
-    this.sesion.orden(this.#escala + orden);
-    this.mira();
-  }
-
-  mira() { if (this.sesion.fallo) this.acaba(this.sesion.error, this.sesion.estado); }
-
-  /// La que se ve, si aún la hay.
-  imagen() {
-    this.da('captura /imagen.ppm');
-    return this.vivo ? this.sesion.lee('/imagen.ppm') : undefined;
-  }
-
-  get titulos() {
-    const escritos = this.sesion ? new TextDecoder().decode(this.sesion.lee('/titulos')).split('\n') : [];
+  #titula(escritos) {
     const titulos = escritos.map(t => t.trimEnd()).filter((t, i) => t && t !== escritos[i - 1]?.trimEnd());
-    return titulos.map(t => t.replace(/^título: /, '').replaceAll('-0°', '0°'));
+    this.titulos = titulos.map(t => t.replace(/^título: /, '').replaceAll('-0°', '0°'));
   }
-
-  cierra() { this.sesion?.cierra(); }
 }
 
 export class Corrector {
-  /// `datos`, los de ejercicios.js; `suyo` y `original`, cómo arranca cada uno; `sigue()`, si aún hace falta.
-  constructor(datos, { suyo, original, sigue }) { Object.assign(this, datos, { suyo, original, sigue }); }
-
-  /// Los dos juegan esas órdenes: { parecido, el de las imágenes que menos se parecen; en, en cuál se apartan antes, e
-  /// imagenes, las dos; aparte, si llega al final; y de lo suyo, cuelga, error y dicho }.
-  async juega(ordenes) {
-    if (!this.sigue()) throw new DOMException('ya no hace falta', 'AbortError');
-    const [debe, es] = await Promise.all([this.original, this.suyo].map(a => Jugador.empieza(a)));
-    const hecho = { parecido: BIEN }, todas = ['', ...ordenes];
-    const empeora = (parecido, i, imagenes) => {
-      if (parecido < BIEN && hecho.en === undefined) Object.assign(hecho, { en: i, imagenes });
-      hecho.parecido = Math.min(hecho.parecido, parecido);
-    };
-    try {
-      for (const [i, orden] of todas.entries()) {
-        for (const jugador of orden ? [debe, es] : []) jugador.da(orden);
-        if (!es.vivo) {
-          empeora(0, i);
-          break;
-        }
-        if (hecho.parecido) {
-          const imagenes = [debe.imagen(), es.imagen()];
-          empeora(imagenes[1] ? await seParecen(...imagenes, this.reglas.tolerancia) : 0, i, imagenes);
-        }
-        if (i % 4 === 3) await respira();
-      }
-      if (acabaMal(debe, es)) empeora(0, ordenes.length);
-      if (es.vivo) hecho.aparte = aparte(debe, es);
-      const dicho = es.dicho.filter(linea => !debe.dicho.includes(linea));
-      return Object.assign(hecho, { cuelga: es.cuelga, error: es.error, dicho });
-    } finally {
-      debe.cierra();
-      es.cierra();
-    }
+  /// `datos`, los de ejercicios.js; `suyo` y `original`, cómo arranca cada uno; `sigue()`, si aún hace falta;
+  /// `esperadas`, lo que ha jugado ya el original.
+  constructor(datos, { suyo, original, sigue, esperadas = new Map() }) {
+    Object.assign(this, datos, { suyo, original, sigue, esperadas });
   }
 
-  /// Todos los guiones: { nota, la de lo entero; guiones, con lo de cada uno; otros, lo que cuenta una vez; reglas }.
-  /// `avanza(n, de)` según se juegan.
-  async corrige(avanza = () => {}) {
+  /// La partida de lo que arranca así, mientras haga falta y `vale(imagen, i)`.
+  juega(arranca, ordenes, vale = () => true) {
+    return Partida.juega(arranca, ordenes, (imagen, i) => {
+      if (!this.sigue()) throw new DOMException('ya no hace falta', 'AbortError');
+      return vale(imagen, i);
+    });
+  }
+
+  /// La del original, que se guarda: no se deja a medias, que otra corrección puede esperarla.
+  esperada(ordenes) {
+    const clave = ordenes.join(';');
+    if (!this.esperadas.has(clave)) this.esperadas.set(clave, Partida.juega(this.original, ordenes, () => true));
+    return this.esperadas.get(clave);
+  }
+
+  /// Las de todos los guiones: mientras se compila lo suyo.
+  async adelanta() { for (const { ordenes } of this.guiones) if (this.sigue()) await this.esperada(ordenes); }
+
+  /// { parecido, el de las imágenes que menos se parecen; en, en cuál se apartan antes, e imagenes, las dos; aparte, si
+  /// llega al final; y de lo suyo, la partida, cuelga, error y dicho }.
+  async compara(debe, es) {
+    const dicho = es.dicho.filter(linea => !debe.dicho.includes(linea));
+    const hecho = { parecido: BIEN, partida: es, cuelga: es.cuelga, error: es.error, dicho };
+    const empeora = (parecido, i) => {
+      if (parecido < BIEN && hecho.en === undefined)
+        Object.assign(hecho, { en: i, imagenes: [debe.imagenes[i], es.imagenes[i]] });
+      hecho.parecido = Math.min(hecho.parecido, parecido);
+    };
+    for (let i = 0; i < debe.imagenes.length && hecho.parecido; ++i)
+      empeora(await this.seParecen(debe.imagenes[i], es.imagenes[i]), i);
+    if (acabaMal(debe, es)) empeora(0, debe.imagenes.length - 1);
+    return es.vivo ? { ...hecho, aparte: aparte(debe, es) } : hecho;
+  }
+
+  seParecen(una, otra) { return otra ? seParecen(una, otra, this.reglas.tolerancia) : 0; }
+
+  /// Lo que arranca así juega esas órdenes hasta que se aparta de esa partida: { suya; igual, si no se aparta; exacta, si
+  /// las imágenes son las mismas }.
+  async deja(arranca, ordenes, partida) {
+    let igual = true, exacta = true;
+    const suya = await this.juega(arranca, ordenes, async (imagen, i) => {
+      exacta &&= laMisma(partida.imagenes[i], imagen) !== imagen;
+      igual = exacta || await this.seParecen(imagen, partida.imagenes[i]) === BIEN;
+      return igual;
+    });
+    return { suya, exacta, igual: igual && !acabaMal(suya, partida) };
+  }
+
+  /// Todos los guiones, jugados por lo que arranca así: { nota, la de lo entero; guiones, con lo de cada uno; otros, lo
+  /// que cuenta una vez; reglas }. `avanza(n, de)` según se juegan.
+  async corrige(avanza = () => {}, suyo = this.suyo) {
     const guiones = this.guiones.map(g => ({ ...g }));
     let otros = {}, cuelgan = 0;
     for (const [i, guion] of guiones.entries()) {
       avanza(i, guiones.length);
-      const { aparte: suyo, ...hecho } = await this.juega(guion.ordenes);
+      const debe = await this.esperada(guion.ordenes);
+      const { aparte: suyas, ...hecho } = await this.compara(debe, await this.juega(suyo, guion.ordenes));
       Object.assign(guion, hecho);
-      otros = { ...suyo, ...otros };
+      otros = { ...suyas, ...otros };
       if (hecho.cuelga && ++cuelgan >= CUELGUES) break;
     }
     return { nota: nota(guiones, otros, this.reglas), guiones, otros, reglas: this.reglas };
   }
 
-  /// Lo que vale lo que arranca así, de 0 a 1: 0 si hace lo mismo que lo que arranca como diga `hazNada()`, si lo hay.
+  /// Lo que vale lo que arranca así: { parte, de 0 a 1; guiones }. 0 si hace lo mismo que lo que arranca como diga
+  /// `hazNada()`, si lo hay.
   async parte(suyo, hazNada) {
-    const con = (suyo, original) => new Corrector(this, { suyo, original, sigue: this.sigue }).corrige();
-    const suya = parte((await con(suyo, this.original)).guiones, this.reglas);
+    const { guiones } = await this.corrige(undefined, suyo), suya = parte(guiones, this.reglas);
     const nada = suya < 1 && await hazNada();
-    const esNada = nada && (await con(suyo, nada)).guiones.every(g => (g.parecido ?? BIEN) === BIEN);
-    return esNada ? 0 : suya;
+    let esNada = Boolean(nada);
+    for (const { ordenes, partida } of guiones)
+      if (esNada && partida) esNada = (await this.deja(nada, ordenes, partida)).igual;
+    return { parte: esNada ? 0 : suya, guiones };
   }
 
   /// Del guion que antes falla: { ordenes, las que bastan; cómo se dice; pixel, el que más se aparta, de la ventana de
@@ -151,7 +169,7 @@ export class Corrector {
     if (!falla) return undefined;
     let ultimo = falla, ordenes = falla.ordenes.slice(0, falla.en);
     const seAparta = async ordenes => {
-      const hecho = await this.juega(ordenes);
+      const hecho = await this.compara(await this.juega(this.original, ordenes), await this.juega(this.suyo, ordenes));
       if (hecho.parecido < BIEN) ultimo = hecho;
       return hecho.parecido < BIEN;
     };

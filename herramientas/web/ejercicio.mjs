@@ -36,6 +36,8 @@ export class Ejercicio {
   #revision;  // la última; se deja si se escribe otra cosa
   #pendiente; // una comparación
   #resuelto = false; // lo escrito
+  #esperadas = new Map();
+  #modulos = new Map();
 
   /// `datos` son los de EJERCICIOS; `empiezaCaso(caso)` lo cambia en la escena.
   constructor(datos, { escena, empiezaCaso, recien }) {
@@ -105,6 +107,12 @@ export class Ejercicio {
     for (const [f, texto] of suyos) this.taller.apunta(ruta(f), texto, await this.taller.original(ruta(f)));
   }
 
+  /// El de esos fuentes, que hace `compila()` si no se ha hecho ya: los de la solución, una vez.
+  modulo(fuentes, compila) {
+    if (!this.#modulos.has(fuentes)) this.#modulos.set(fuentes, compila());
+    return this.#modulos.get(fuentes);
+  }
+
   // --- lo que se ve ---
 
   /// Lo que se pide. `cambiaDeVista` enseña la solución u otra vez lo escrito, y dice si es la solución; `corrige()` la
@@ -155,6 +163,7 @@ export class Ejercicio {
     const lienzo = crea('canvas', { role: 'img', ariaLabel: 'El objetivo' });
     una('.objetivo').replaceChildren(lienzo);
     const original = await arranca(this.programa, { lienzo, ancho, alto, ...opciones });
+    if (original.fallo) return original;
     return Object.assign(Object.create(suyo), {
       objetivo: lienzo,
       opciones: () => (suyo.vacio ? original : suyo).opciones(),
@@ -194,9 +203,10 @@ export class Ejercicio {
     else this.#revisa();
   }
 
-  /// Quien lo corrige con esos textos o, si hay que compilarlos, con lo compilado, mientras `sigue()`.
+  /// Quien lo corrige con esos textos o, si hay que compilarlos, con lo compilado, mientras `sigue()`. Lo que juega el
+  /// original es lo mismo siempre.
   async corrector(sigue, textos, compilado) {
-    return new Corrector(await deEjercicio(this.codigo), { sigue,
+    return new Corrector(await deEjercicio(this.codigo), { sigue, esperadas: this.#esperadas,
       suyo: como => this.arranca({ ...como, textos, compilado }), original: como => arranca(this.programa, como) });
   }
 

@@ -23,8 +23,8 @@ function calla() {
 const ponTitulo = texto => { una('.estado').textContent = texto; };
 const talla = () => tallaDe(marco.getBoundingClientRect(), devicePixelRatio);
 
-/// Cuando un programa ha arrancado llama a `alArrancar`; cuando ha vuelto a leer sus shaders, a `alRecargar`, y si ha
-/// fallado, a `alFallar(error)`.
+/// Cuando un programa ha arrancado llama a `alArrancar`; cuando ha vuelto a leer sus shaders, a `alRecargar`; si ha
+/// fallado, a `alFallar(error)`, y si es que no hay con qué dibujar, a `sinWebGL()`.
 export class Escena {
   suavizado = true;
   quieta = false; // si el tiempo no pasa
@@ -40,8 +40,8 @@ export class Escena {
   #reloj;
   #cuadro;
 
-  constructor({ alArrancar, alRecargar, alFallar }) {
-    Object.assign(this, { alArrancar, alRecargar, alFallar });
+  constructor({ alArrancar, alRecargar, alFallar, sinWebGL }) {
+    Object.assign(this, { alArrancar, alRecargar, alFallar, sinWebGL });
     new ResizeObserver(() => this.#ajusta()).observe(marco);
   }
 
@@ -97,7 +97,7 @@ export class Escena {
     lienzo.setAttribute('role', 'application');
     lienzo.setAttribute('aria-label', `${titulo}: las teclas van al programa`);
     this.sesion?.cierra();
-    todos('canvas', marco).forEach(c => c.remove());
+    todos('canvas, img', marco).forEach(c => c.remove());
     marco.prepend(lienzo);
     this.#escrito = [];
     this.sesion = undefined;
@@ -192,7 +192,11 @@ export class Escena {
     const { vivo, fallo } = this.sesion;
     if (vivo || this.#pedido.programa.consola) return;
     cubre(fallo ? this.#escrito.slice(-3).join('\n') || 'El programa ha fallado' : 'El programa ha terminado');
-    if (fallo) this.#error(this.sesion).then(error => this.alFallar(error));
+    if (fallo && !this.sesion.lienzo.getContext('webgl2')) {
+      cubre('Este navegador no da WebGL 2, y sin él solo se ve su imagen: activa en él la aceleración gráfica, actualízalo '
+        + 'o prueba con otro.');
+      this.sinWebGL();
+    } else if (fallo) this.#error(this.sesion).then(error => this.alFallar(error));
   }
 
   /// Una vez por cuadro: el ratón que se ha movido y, si el programa se anima, el tiempo que ha pasado.

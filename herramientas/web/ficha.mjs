@@ -21,6 +21,7 @@ export function ponFicha(programa, ejercicio) {
   for (const donde of [una('.de-que'), una('.del-libro', pagina)]) donde.replaceChildren(...[suyo[0]].filter(Boolean));
   pagina.classList.toggle('de-consola', programa.consola);
   pagina.classList.toggle('en-ejercicio', Boolean(ejercicio));
+  pagina.classList.remove('sin-webgl');
   pagina.classList.toggle('con-carpeta', Boolean(ejercicio?.carpeta));
   const capitulo = ejercicio?.propio ? 'ejercicios' : programa.capitulo;
   Object.assign(una('.de-capitulo'), { href: '#' + capitulo, textContent: una(`#${capitulo} h2`).textContent });
@@ -42,6 +43,15 @@ function ponVecinos(programa, ejercicio) {
     if (vecino) una(clase).href = '#' + (vecino.enlace ?? vecino.nombre);
     una(clase + ' span').textContent = vecino?.titulo ?? vecino?.que ?? '';
   }
+}
+
+/// Donde no hay WebGL 2: del programa se ve su imagen, y no lo que solo vale en marcha.
+export function ensenaImagen({ nombre, casos }) {
+  pagina.classList.add('sin-webgl');
+  const suya = una(`.tarjetas a[href="#${nombre}"] img`); // ya está en el catálogo
+  const donde = una('.en-ejercicio .objetivo') ?? una('.lienzo');
+  todos('canvas, img', donde).forEach(e => e.remove());
+  if (suya) donde.prepend(crea('img', { src: suya.src, alt: casos[0].mira }));
 }
 
 /// Un botón para cada caso, si hay varios.

@@ -18,7 +18,7 @@ import { Ejercicio } from './ejercicio.mjs';
 import { casoDe, enEnlace, hazEnlace, leeEnlace, pixelEn, programaDe } from './enlaces.mjs';
 import { atiendeTeclado } from './entrada.mjs';
 import { Escena } from './escena.mjs';
-import { ensenaCaso, ponCasos, ponFicha } from './ficha.mjs';
+import { ensenaCaso, ensenaImagen, ponCasos, ponFicha } from './ficha.mjs';
 import { cierraExplicado, ensena } from './explicado.mjs';
 import { deLaCarpeta, delEjercicio, esShader, incluidas, ordenaFuentes } from './fuentes.mjs';
 import { casoInicial } from './guiones.mjs';
@@ -40,11 +40,13 @@ let ruta; // a la que se ha ido
 let sitio = 0; // por dónde se dejó el catálogo
 let explicando = Promise.resolve();
 
-export const escena = new Escena({ alArrancar, alRecargar, alFallar: error => compilacion.falla(error) });
+export const escena = new Escena({ alArrancar, alRecargar, alFallar: error => compilacion.falla(error),
+  sinWebGL: () => ensenaImagen(visto.programa) });
 export const editor = new Editor({
   alEscribir: () => {
     visto.ejercicio?.olvidaRevision();
     correccion.olvida();
+    if (visto.ejercicio?.seCompila) compilacion.adelanta();
   },
   alCambiar: (fichero, texto) => esShader(fichero) ? conCuidado(() => escena.cambia(fichero, texto)) : editor.marca(),
   alCompilar: SE_COMPILA && compila,
@@ -220,9 +222,10 @@ function entra(datos, caso, guion) {
   ejercicio?.pon(() => editor.cambiaDeVista(), corrige);
   if (ejercicio?.seCompila && compilacion.compilador.listo && !compilacion.modulo(programa, visto.taller, ejercicio))
     compila();
-  if (guion === undefined) return empiezaCaso(caso);
-  ensenaCaso();
-  return empieza(guion);
+  if (guion !== undefined) ensenaCaso();
+  const empezado = guion === undefined ? empiezaCaso(caso) : empieza(guion);
+  // en el disco no hay que esperar a que escriba para traerlo
+  return empezado.then(() => { if (ejercicio?.seCompila && location.protocol === 'file:') compilacion.adelanta(); });
 }
 
 function guardaImagen() {

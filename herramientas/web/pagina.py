@@ -15,7 +15,7 @@ import zlib
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-from base import catalogo, controles, fuentes, indice, libro, marcas, paginas
+from base import catalogo, controles, defectos, fuentes, indice, libro, marcas, paginas
 from base.procesos import Fallo, ejecuta, escribe, principal
 from ejercicios import en_pagina, propios
 from web import taller
@@ -90,7 +90,7 @@ class Pagina:
         ficheros = [*taller.Taller(self.raiz, self.build).ficheros()]
         for fichero in ficheros:
             self.escribe_datos(*fichero)
-        self.empaqueta("comun", self.textos("common/**/*.cpp", "common/**/*.h"))
+        self.empaqueta("comun", self.textos("common/**/*.cpp", "common/**/*.h", str(defectos.MUTANTE_H)))
         return taller.resumen(ficheros)
 
     def textos(self, *patrones):

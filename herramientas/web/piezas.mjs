@@ -23,7 +23,17 @@ function losDe(pedidos, hechos) {
 /// Por qué no se sabe lo que vale cada una.
 export class SoloLoEntero extends Error {}
 
-/// De cada pieza de lo escrito, { pide, pesa, parte, de 0 a 1 }. De `datos`, los de ejercicios.js: `solucion`, sus
+/// Los ficheros de la solución, con esas piezas: pieza(i).
+export const conTodas = (solucion, pieza) => Object.fromEntries(Object.entries(solucion).map(([f, texto]) =>
+  [f, texto.replace(/\0(\d+)\0\n/g, (_, j) => pieza(Number(j)))]));
+
+/// Si todos esos ficheros están entre otros, sin mirar los comentarios ni los blancos.
+export function estan(textos, escritos) {
+  const suyos = new Set(Object.values(escritos).map(pelado));
+  return Object.values(textos).every(texto => suyos.has(pelado(texto)));
+}
+
+/// De cada pieza de lo escrito, { pide, pesa, parte, de 0 a 1; y guiones, si se ha jugado }. De `datos`, los de ejercicios.js: `solucion`, sus
 /// ficheros, con «\0i\0» donde va la pieza i, y `huecos`, de cada una { pide, pesa, hecha, partida }.
 /// `arranca(textos)` dice cómo arranca un programa con esos ficheros, o nada si no compilan; `juega(suyo, nada)`, lo
 /// que vale, si no es lo mismo que lo que arranca como diga nada().
@@ -31,16 +41,14 @@ export async function porPiezas({ codigo, solucion, huecos }, escritos, { arranc
   const suyos = losDe(huecos, trozos(escritos, codigo)), falta = suyos.indexOf(undefined);
   if (falta >= 0)
     throw new SoloLoEntero(`no está entera la marca «// ${codigo}: ${huecos[falta].pide}», con su fin de ${codigo}`);
-  const conTodas = (textos, pieza) => Object.fromEntries(Object.entries(textos).map(([f, texto]) =>
-    [f, texto.replace(/\0(\d+)\0\n/g, (_, j) => pieza(Number(j)))]));
   const enLaSolucion = (i, suya) => conTodas(solucion, j => j === i ? suya : huecos[j].hecha);
   const conLasDemas = i => Object.fromEntries(Object.entries(escritos).map(([f, texto]) => [f, suyos.reduce(
     (hecho, t, j) => j === i ? hecho : hecho.replace(t.entero, () => huecos[j].hecha), enteros(texto))]));
 
   const parte = async i => {
     const { hecho } = suyos[i], { pide, hecha, partida } = huecos[i];
-    if (pelado(hecho) === pelado(partida)) return 0;
-    if (pelado(hecho) === pelado(hecha)) return 1;
+    if (pelado(hecho) === pelado(partida)) return { parte: 0, falta: true };
+    if (pelado(hecho) === pelado(hecha)) return { parte: 1 };
     const suyo = await arranca(enLaSolucion(i, hecho)) ?? await arranca(conLasDemas(i)); // si usa lo de fuera
     if (!suyo) throw new SoloLoEntero(`sola no se puede probar «${pide}»: necesita lo que has escrito en otro sitio`);
     return juega(suyo, () => arranca(enLaSolucion(i, partida)));
@@ -48,7 +56,7 @@ export async function porPiezas({ codigo, solucion, huecos }, escritos, { arranc
   const hechas = [];
   for (const [i, { pide, pesa }] of huecos.entries()) {
     avanza(i, huecos.length);
-    hechas.push({ pide, pesa, parte: await parte(i) });
+    hechas.push({ pide, pesa, ...await parte(i) });
   }
   return hechas;
 }

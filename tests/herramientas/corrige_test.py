@@ -305,6 +305,7 @@ def test_de_dos_en_dos_los_que_pueden_ser():
     suyos.append(Mutante("l", 9, 9, "p.cpp", "«a = 1»", "0", "x", "", "e"))  # estropea lo del primero
     todos = SimpleNamespace(defectos=suyos, programa=SimpleNamespace(raices=[1]), textos=lambda: {"p.cpp": fuente})
     todos.trozos = lambda: [("p.cpp", t) for t in marcas.TROZO.finditer(fuente)]
+    todos.pares = lambda suyos: motivos.Motivos.pares(todos, suyos)
     todos.de_dos = lambda _, *par: "".join(m.dice for m in par)
 
     def prueba(tocado, *tocan):

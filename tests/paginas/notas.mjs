@@ -13,8 +13,9 @@ print(json.dumps(notas.${que}(Path(raiz), Path(build), *resto), default=lambda x
 /// En la página: la nota de lo que hay en ella, con esos guiones.
 async function nota(datos) {
   Object.assign(await pagina.deEjercicio(visto.ejercicio.codigo), datos);
-  const { nota, piezas = [] } = await pagina.correccion.hazla(visto.ejercicio) ?? {};
-  return [nota ?? una('.correccion').textContent, ...piezas.map(p => Math.round(1000 * p.parte) / 10)];
+  const { nota, piezas = [], dice = [] } = await pagina.correccion.hazla(visto.ejercicio) ?? {};
+  return [nota ?? una('.correccion').textContent, ...piezas.map(p => Math.round(1000 * p.parte) / 10),
+    ...dice.filter(d => d.startsWith('parece '))];
 }
 
 /// Esos ficheros, en un .zip que se suelta en ella.
@@ -29,10 +30,10 @@ enNavegadores(['chromium'], Object.fromEntries(Object.keys(pregunta('programas')
   `${codigo}, lo mismo que ./lab corrige`, async p => {
     const { datos, entregas } = pregunta('de', codigo), notas = {}, debe = {};
     await p.abre(`#ejercicio/${codigo}`);
-    for (const [nombre, { ficheros, nota: suya, piezas }] of Object.entries(entregas)) {
+    for (const [nombre, { ficheros, nota: suya, piezas, dice }] of Object.entries(entregas)) {
       await suelta(p, ficheros);
       notas[nombre] = await p.da(nota, datos);
-      debe[nombre] = [suya, ...piezas.map(p => p.nota)];
+      debe[nombre] = [suya, ...piezas.map(p => p.nota), ...dice];
     }
     assert.deepEqual(notas, debe);
   }])));

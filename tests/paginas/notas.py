@@ -7,7 +7,7 @@ from pathlib import Path
 from base import catalogo, defectos
 from base.marcas import TROZO
 from ejercicios import comprueba, en_pagina, nuevo
-from ejercicios.corrige import clase
+from ejercicios.corrige import clase, piezas
 
 AL_AZAR = 4  # guiones, además de los casos
 ERRORES = 2
@@ -54,4 +54,5 @@ def de(raiz, build, ref):
                 (carpeta / Path(f).name).write_text(texto)
             hecha = clase.corrige(c.banco, carpeta)
             hechas[nombre] = {"ficheros": ficheros, "nota": hecha["nota"], "piezas": hecha.get("piezas", [])}
+            hechas[nombre]["dice"] = [d for d in hecha["dice"] if d.startswith(piezas.PARECE)]
     return {"datos": en_pagina.corrige(raiz, build, programa, ref, cuantos), "entregas": hechas}

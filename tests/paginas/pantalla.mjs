@@ -184,6 +184,57 @@ const incrustado = {
   },
 };
 
+// --- la página ---
+
+/// De qué enlaces no se ven a la vez, al abrirlos, la imagen y diez líneas del editor.
+async function apretados(p, enlaces) {
+  const mal = [];
+  await p.carga();
+  for (const enlace of enlaces) {
+    await p.va(enlace);
+    await p.acaba(`${enlace} se abre`, enlace => location.hash === enlace && sesion?.vivo && editor.abierto &&
+      editor.ruta === editor.abierto, enlace);
+    for (const ancho of [1024, 1366]) {
+      await p.talla(ancho, 768);
+      const caben = await p.da(() => {
+        const { top, bottom } = una('.editor').getBoundingClientRect();
+        return una('.lienzo').getBoundingClientRect().bottom < innerHeight &&
+          Math.min(bottom, innerHeight) - top > 10 * cm.defaultTextHeight();
+      });
+      if (!caben) mal.push(`${enlace}, a ${ancho}`);
+    }
+  }
+  return mal;
+}
+
+const paginaAbierta = {
+  'en un portátil se ven a la vez la imagen y el editor': async p => {
+    await p.carga();
+    const enlaces = await p.da(() => JSON.parse(una('#programas').textContent).filter(q => !q.consola)
+      .flatMap(q => [q.nombre, ...q.ejercicios.map(e => `ejercicio/${e.codigo}`)]));
+    assert.deepEqual(await apretados(p, enlaces.filter((_, i) => i % 4 === 0).map(e => `#${e}`)), []);
+  },
+
+  'sin WebGL 2 se ve la imagen, se dice qué probar y no queda ningún mando': async p => {
+    await p.carga();
+    await p.da(() => {
+      const da = HTMLCanvasElement.prototype.getContext;
+      HTMLCanvasElement.prototype.getContext = function (que, ...mas) {
+        return que === 'webgl2' ? null : da.call(this, que, ...mas);
+      };
+      for (const a of todos('.tarjetas a')) a.innerHTML = `<img src="data:,${a.hash}">`; // la de la galería
+    });
+    for (const [enlace, programa] of [['#grua', 'grua'], ['#ejercicio/E4.2', 'grua_vistas']]) {
+      await p.va(enlace);
+      await p.acaba('se ve y se dice', programa => /WebGL 2.*prueba/.test(telon.innerText) && editor.ruta &&
+        todos('.mesa img').map(i => i.src).join() === `data:,#${programa}` && una('.mesa img').checkVisibility(),
+        programa);
+      assert.deepEqual(await p.da(() => todos(':is(.escena, .tarea) button').filter(b => b.checkVisibility())
+        .map(b => b.textContent)), enlace === '#grua' ? [] : ['Ver la solución', 'Descarga mi carpeta']);
+    }
+  },
+};
+
 // --- las teclas ---
 
 // Con banderas, que usa la d y Espacio, y el foco en cada clase de elemento: a quién le llega cada una.
@@ -244,4 +295,5 @@ const teclas = {
   },
 };
 
-export const pantalla = { ...Object.fromEntries(aTodaPantalla), ...proyectando, ...incrustado, ...teclas };
+export const pantalla = { ...Object.fromEntries(aTodaPantalla), ...proyectando, ...incrustado, ...paginaAbierta,
+  ...teclas };

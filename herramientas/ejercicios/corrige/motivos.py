@@ -131,17 +131,20 @@ class Motivos:
     def planta(self, suyos, sitio, marca="", antes=""):
         """Deja ahí la solución con esos defectos: los de C++, en un binario, con esa MARCA; de cada shader, el
         estropeado."""
+        for m in suyos:
+            if m.en_shader:
+                self.planta_en_shaders(sitio, m)
+        incluye = f'{antes}#include "{self.raiz / defectos.MUTANTE_H}"\n'
+        self.compilador.compila(self.con_los_de_cpp(suyos, incluye, marca), sitio / "mutantes", ajena=False)
+
+    def con_los_de_cpp(self, suyos, incluye, marca=""):
+        """Los ficheros de la solución con esos defectos, los de C++, puestos todos, e INCLUYE delante."""
         textos = self.textos()
         for fichero, de_el in defectos.por_fichero(suyos).items():
-            nombre = Path(fichero).name
-            fuente = textos[nombre]
             if not de_el[0].en_shader:
-                cambiado = defectos.cambia(fuente, de_el, marca)
-                textos[nombre] = f'{antes}#include "{self.raiz / defectos.MUTANTE_H}"\n{cambiado}'
-                continue
-            for m in de_el:
-                self.planta_en_shaders(sitio, m)
-        self.compilador.compila(self.limpio(textos), sitio / "mutantes", ajena=False)
+                nombre = Path(fichero).name
+                textos[nombre] = incluye + defectos.cambia(textos[nombre], de_el, marca)
+        return self.limpio(textos)
 
     def estropeados(self, *defectos_):
         """Los ficheros de la solución con esos defectos de sus shaders."""
@@ -162,10 +165,7 @@ class Motivos:
         for i, (pide, _) in enumerate(self.huecos()):
             if (sitio / f"hueco{i}").is_dir():
                 variantes.append((f"parece que falta: {pide}", self.jugador(f"hueco{i}", sitio, f"hueco{i}")))
-        for m in self.defectos:
-            dice = f"parece que {m.dice}" if m.dice else f"parece este error: {m.imita}"
-            variantes.append((dice, self.con_defecto(m, sitio)))
-        return variantes
+        return variantes + [(que_dice(m), self.con_defecto(m, sitio)) for m in self.defectos]
 
     def sin_hacer(self, i):
         """Quien juega la solución sin ese trozo, o None si así no compila."""
@@ -187,10 +187,8 @@ class Motivos:
         cuales = ",".join(str(m.numero) for m in suyos)
         return self.jugador(nombres(suyos), sitio, "mutantes", sitio / nombre_de(suyos), LAB_MUTANTE=cuales)
 
-    def parejas(self, sitio, tocado, tocan):
-        """(qué se diría, Jugador) de los defectos, de dos en dos, que pueden ser los de una entrega que ha TOCADO esos
-        píxeles: son del mismo hueco o imitan lo mismo, y entre los dos tocan casi los mismos. TOCAN: los de cada uno.
-        """
+    def pares(self, defectos_):
+        """De esos, los que se pueden plantar de dos en dos, y que tenga sentido: son del mismo hueco o imitan lo mismo."""
         textos = {ruta(self.programa, f): t for f, t in self.textos().items()}
         huecos = [(ruta(self.programa, f), t.span()) for f, t in self.trozos()]
 
@@ -198,10 +196,16 @@ class Motivos:
             return next((h for h in huecos if h[0] == m.fichero and h[1][0] <= sitios[m][0] < h[1][1]), m)
 
         def se_pueden(una, otra):
-            """Los dos a la vez, y que tenga sentido."""
             (a, b), (c, d) = sitios[una], sitios[otra]
             aparte = una.fichero != otra.fichero or b <= c or d <= a
             return aparte and (hueco(una) == hueco(otra) or una.imita == otra.imita)
+
+        sitios = {m: m.sitio(textos[m.fichero]) for m in defectos_}
+        return [par for par in itertools.combinations(defectos_, 2) if se_pueden(*par)]
+
+    def parejas(self, sitio, tocado, tocan):
+        """(qué se diría, Jugador) de los pares que pueden ser los de una entrega que ha TOCADO esos píxeles: entre los
+        dos tocan casi los mismos. TOCAN: los de cada uno."""
 
         def casi_lo_mismo(una, otra):
             """Dos que mueven una línea fina tocan, juntos, otros píxeles: a los gemelos se les pide menos."""
@@ -209,13 +213,11 @@ class Motivos:
             gemelos = GEMELOS if una.imita == otra.imita else 0
             return gemelos + (entre & tocado).bit_count() / max((entre | tocado).bit_count(), 1)
 
-        suyos = [m for m in self.defectos if m.dice and m in tocan]
-        sitios = {m: m.sitio(textos[m.fichero]) for m in suyos}
-        pares = [par for par in itertools.combinations(suyos, 2) if se_pueden(*par)]
+        pares = self.pares([m for m in self.defectos if m.dice and m in tocan])
         mejores = sorted(((casi_lo_mismo(*par), i) for i, par in enumerate(pares)), key=lambda p: (-p[0], p[1]))
         for cuanto, i in mejores[:PAREJAS]:
             if cuanto >= TOCAN and (jugador := self.de_dos(sitio, *pares[i])):
-                yield f"parece que {pares[i][0].dice}; y que {pares[i][1].dice}", jugador
+                yield f"{que_dice(pares[i][0])}; y que {pares[i][1].dice}", jugador
 
     def de_dos(self, sitio, *suyos):
         """Quien juega con esos dos, o None: en un shader uno puede ser parte de lo que cambia el otro, y donde corrige
@@ -256,6 +258,11 @@ class Motivos:
             if all(arbitro.juega(v[1], g, esperadas[g]).imagenes == p.imagenes for g, p in partidas.items())
         ]
         return list(dict.fromkeys(dice for dice, _ in exactas or vivas))  # vacío, si no hay ninguna
+
+
+def que_dice(m):
+    """Qué se le dice a quien lo ha cometido."""
+    return f"parece que {m.dice}" if m.dice else f"parece este error: {m.imita}"
 
 
 def nombres(suyos):

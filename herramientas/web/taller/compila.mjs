@@ -27,7 +27,7 @@ const ENLAZA = `--wrap=glutSwapBuffers --wrap=glutMotionFunc --wrap=glutPassiveM
 
 let da; // las funciones que el JavaScript da
 let objetosHechos = []; // los de main, GLUT y lo demás, los de common/ y los de los controles
-let precompilada;
+let precompilada; // su promesa
 const hechos = new Map(); // de cada orden de compilar, la de clang por dentro
 
 /// Cómo se llama el objeto de un fuente, o del que ya está hecho.
@@ -75,7 +75,7 @@ async function compila(ruta, fuentes, ...mas) {
   const pre = ['-include-pch', '/obra/pre.pch', '-Xclang', '-fno-pch-timestamp', '-Xclang',
     '-fno-validate-pch'];
   const { bien, obra, dicho } = await clang([...COMO, ...VIGILADO, `-I/lab/${carpeta}`, ...mas, ...pre, '-c',
-    `/lab/${ruta}`, '-o', '/obra/salida.o'], { ...fuentes, ...PRE_H, '/obra/pre.pch': precompilada });
+    `/lab/${ruta}`, '-o', '/obra/salida.o'], { ...fuentes, ...PRE_H, '/obra/pre.pch': await precompilada });
   return { objeto: bien && obra['salida.o'], dicho };
 }
 
@@ -122,6 +122,9 @@ async function haz(rutas, fuentes, alCompilar = [], alEnlazar = []) {
   return { dicho: dicho + enlazado.dicho, wasm: enlazado.wasm, tarda };
 }
 
+/// Lo que se hace una vez, antes del primero.
+export async function adelanta() { await (precompilada ??= precompila()); }
+
 let ultimo; // las rutas, los fuentes y las opciones del último
 
 /// El programa de esa ruta, con esos fuentes { ruta: texto }, de los que han cambiado algunos: { wasm, si sale; dicho,
@@ -129,7 +132,7 @@ let ultimo; // las rutas, los fuentes y las opciones del último
 export async function hazlo({ programa, fuentes, cambiados, capitulo }) {
   const enLab = Object.fromEntries(Object.entries(fuentes).map(([ruta, texto]) => ['/lab/' + ruta, texto]));
   const desde = performance.now();
-  precompilada ??= await precompila();
+  await adelanta();
   const precompilado = performance.now() - desde;
   ultimo = [porCompilar(programa, fuentes, cambiados), enLab, [`-I/lab/${capitulo}`]];
   const hecho = await haz(...ultimo, ['--strip-all']);
