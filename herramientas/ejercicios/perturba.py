@@ -28,6 +28,8 @@ TIPOS = "int", "float", "double", "bool", "char", "void", "unsigned", "const"
 OTRO = {"+": "-", "-": "+", "*": "/", "/": "*", "<": "<=", ">": ">=", "<=": "<", ">=": ">", "==": "!=", "!=": "=="}
 OTRO |= {"&&": "||", "||": "&&", "+=": "-=", "-=": "+=", "*=": "/=", "%": "+", "!": ""}
 NO_ES_VALOR = "=", "+=", "-=", "*=", "/=", "<", "++", "--"  # lo que tiene eso detrás
+BUCLES = "for", "while", "do"
+ACABA_EN = {"break": ("switch",), "continue": BUCLES}  # qué acaba un salto; hacia él se sale de lo demás
 SIN_ELLA, NUNCA = ("sin ella", ";"), ("nunca", "false")  # una instrucción; la condición de un if o de un bucle
 CIERRA = {"(": ")", "[": "]", "{": "}"}
 EN_CPP, EN_GLSL = ("otroFactor({})",), ("({} * 1.25)", "({} + 1)")  # cómo se escribe otro factor
@@ -81,6 +83,15 @@ class Trozo:
             elif p in CIERRA.values() and abiertas:
                 otra = abiertas.pop()
                 self.pareja[i], self.pareja[otra] = otra, i
+
+    def de_que(self, cierra):
+        """De qué es el bloque que se cierra ahí: switch, for…, «{» si es uno suelto, o nada si no se sabe o de él no se
+        sale por abajo."""
+        antes = self.pareja.get(cierra, 0) - 1
+        if self[antes] == ")":
+            antes = self.pareja.get(antes, 0) - 1
+            return self[antes] if self[antes] in CON_CONDICION else ""
+        return "do" if self[antes] == "do" else "{" if self[antes] in ("else", *"{};:") else ""
 
     def es_nombre(self, i):
         return (
@@ -146,6 +157,7 @@ class Hueco(Trozo):
 
     def __init__(self, texto, desde, hasta):
         self.entero, self.desde = sin_comentarios(texto[:hasta]), desde
+        self.todo = Trozo(sin_comentarios(texto))  # lo que hay fuera dice adónde lleva un salto
         super().__init__(self.entero[desde:])
         self.n = len(self.palabras)
 
@@ -204,8 +216,30 @@ class Hueco(Trozo):
                 sigue = fin + 1
             i = sigue
 
+    def sobra(self, i):
+        """Si esa instrucción solo salta adonde se llega igual: el break con que acaba un switch, o al que sigue otro, y
+        el continue con que acaba un bucle."""
+        salto, todo, desde = self[i], self.todo, self.sitio(i, i)[1]
+        k = next((k for k, (_, de, _) in enumerate(todo.palabras) if de >= desde), 0)  # su «;»
+        antes = k - 2
+        while todo[antes] == ")":  # de un for o un if sin llaves
+            antes = todo.pareja.get(antes, 0) - 2
+            if todo[antes + 1] in BUCLES:
+                return False
+        while salto in ACABA_EN and k < len(todo.palabras):
+            if todo[k] in ("case", "default"):
+                k = next((j for j in range(k, len(todo.palabras)) if todo[j] == ":"), k)
+            elif todo[k] == "}":
+                de = todo.de_que(k)
+                if de in ACABA_EN[salto] or de in ("", *BUCLES):
+                    return de in ACABA_EN[salto]
+            elif todo[k] != ";":
+                return todo[k] == salto
+            k += 1
+        return False
+
     def de_instruccion(self, i, fin):
-        if self[fin] == "{" or any(self[k] in NI_TOCARLO for k in range(i, min(i + 3, fin))):
+        if self.sobra(i) or self[fin] == "{" or any(self[k] in NI_TOCARLO for k in range(i, min(i + 3, fin))):
             return
         if self[i] in ("return", "throw"):
             yield from self.expresion(i + 1, fin - 1)

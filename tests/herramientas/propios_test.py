@@ -302,6 +302,56 @@ def test_lo_perturbado_casi_siempre_compila(tmp_path):
     assert {m.perturbacion.linea for m in todas} == {m.perturbacion.linea for m in vivas}
 
 
+SALTOS = """void f(int tecla) {
+    for (int i = 0; i < 9; ++i) {
+        switch (tecla) {
+        case 'a':
+            break; // salta
+        case 'b':
+            if (i > 2) {
+                x += 1;
+                break; // sobra: acaba el if, y tras él está el break de default
+            }
+        case 'z':
+        default:
+            break; // sobra
+        }
+        if (tecla > 3) {
+            y += 1;
+            continue; // salta
+        }
+        if (tecla > 4)
+            break; // salta
+        while (y > 2) {
+            y -= 1;
+            break; // salta
+        }
+        if (tecla > 5)
+            continue; // sobra
+    }
+    switch (tecla) {
+    case 1:
+        x += 2;
+        break; // salta
+    case 2: {
+        for (;;)
+            if (x > 3)
+                break; // salta
+        break; // sobra
+    }
+    default:;
+    }
+}
+"""
+
+
+def test_por_lo_que_no_hace_nada_no_se_pregunta():
+    """Un salto que lleva adonde se llega sin él; el que lleva a otro sitio se quita."""
+    marcadas = [n for n, renglon in enumerate(SALTOS.splitlines(), 1) if "// salta" in renglon]
+    hay = perturba.perturbaciones(SALTOS, SALTOS.index("switch"), SALTOS.index("    default:;"), False)
+    assert [p.linea for p in hay if SALTOS[p.desde :].startswith(("break", "continue"))] == marcadas
+
+
 # --- lo que no es un ejercicio ----------------------------------------------------------------------------------
 
 
