@@ -152,8 +152,10 @@ void Sospechas::delCableado(const Cableado &c, const Orden &o, const Lienzo &l, 
             pon(SEGURO, n, quien + "es una matriz toda de ceros",
                 "Debería ser al menos la identidad: glm::mat4(1).");
         else if (matriz && aplasta(u.valor))
-            pon(SEGURO, n, quien + "es una matriz de determinante 0: todo queda en un plano",
-                "¿Hay un factor de escala que es 0, o un eje repetido?");
+            pon(SEGURO, n,
+                "en la orden " + std::to_string(n) + ", " + quien +
+                    "es una matriz de determinante 0: lo que dibuja queda en un plano",
+                "Si no es lo que se quiere, ¿hay un factor de escala que es 0, o un eje repetido?");
     }
     for (const Textura &t : c.texturas)
         if (!t.incompleta.empty())
