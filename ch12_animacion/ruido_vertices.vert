@@ -14,7 +14,7 @@ out vec3 normal;
 
 // Listado 12.1.
 vec3 lee(vec2 coordTextura) {
-    // L12.1: los tres ruidos, S1 veces y corridos con el tiempo, menos el centro y por S2
+    // L12.1: los tres ruidos que hay en S1 por coordTextura más tiempo, menos centro, y todo por S2
     return (texture(ruido, coordTextura * S1 + tiempo).rgb - centro) * S2;
     // de partida: return vec3(0.0);
     // fin de L12.1

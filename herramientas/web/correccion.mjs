@@ -12,6 +12,7 @@ const panel = una('.correccion');
 const COMO_AL_EMPEZAR = 'se ve lo mismo que en el punto de partida';
 const cifra = n => n.toLocaleString('es');
 const linea = (...dice) => crea('p', {}, ...dice);
+const donde = ({ ruta, linea }) => ruta ? `${ruta.split('/').pop()}, línea ${linea}: ` : '';
 const cuanto = parte => parte === 1 ? 'bien' : `${cifra(redondea(100 * parte))} de 100`;
 const dichas = piezas => [...piezas.map(({ pide, parte }) => `«${pide}», ${cuanto(parte)}`),
   ...piezas.every(p => p.parte === 1) ? ['lo que falla está fuera de ellas, o en cómo se juntan'] : []].join('; ');
@@ -60,9 +61,9 @@ export class Correccion {
     }
     if (!sigue()) return undefined;
     if (ejercicio.seCompila && !await compilacion.alDia(ejercicio)) {
-      const malos = compilacion.dichos.filter(d => d.clase === 'error');
-      if (!malos.length) throw new Error('no se ha compilado.');
-      this.#pon(linea(crea('b', { textContent: '0' }), ' de 100: no compila. ', malos[0].mensaje));
+      const malo = compilacion.dichos.find(d => d.clase === 'error');
+      if (!malo) throw new Error('no se ha compilado.');
+      this.#pon(linea(crea('b', { textContent: '0' }), ` de 100: no compila. ${donde(malo)}${malo.mensaje}`));
       return { nota: 0 };
     }
     const compilado = compilacion.modulo(ejercicio.programa, ejercicio.taller, ejercicio);

@@ -131,8 +131,9 @@ export class Ejercicio {
     }
     if (Object.keys(this.pide).some(esShader))
       pide.push(crea('p', {}, 'En un shader, un número real lleva punto: 1.0 y no 1.'));
-    const ver = boton('Ver la solución', async () => ver.setAttribute('aria-pressed', await cambiaDeVista()));
-    ver.setAttribute('aria-pressed', false);
+    const ver = boton('Ver la solución', async () => {
+      ver.textContent = await cambiaDeVista() ? 'Volver a lo mío' : 'Ver la solución';
+    });
     const descarga = boton(this.carpeta ? 'Descarga mi carpeta' : 'Descarga mi shader', () => this.descarga(), {
       className: 'descarga', title: 'Lo escrito, para ./lab corrige. Si se suelta en la página, se abre' });
     una('.tarea').replaceChildren(crea(this.carpeta ? 'details' : 'div', { open: true }, ...pide),

@@ -112,9 +112,10 @@ export async function arranca(programa, { lienzo, ancho, alto, textos = {}, fich
       }
     },
     opciones: () => estado ? [] : lab.ccall('glutOpciones', 'string').split('\n').filter(Boolean),
-    redibuja: () => lab.ccall('glutRedibuja'), // el mismo cuadro
+    redibuja: () => da(() => lab.ccall('glutRedibuja')), // el mismo cuadro
     /// El cuadro que se ve, explicado, y, si se da, ese píxel suyo: herramientas/explica/cuadro.h.
     async explica([x, y] = [-1, -1]) {
+      lab.hasta = Infinity; // lo dibuja muchas veces, y ya se ha visto que acaba
       lab.ccall('explicaPregunta');
       while (!lab.ccall('explicaResponde')) await new Promise(sigue => setTimeout(sigue));
       const medidas = [lienzo.width, lienzo.height, x, y];
