@@ -109,11 +109,12 @@ export class Correccion {
     const sePlanta = d => d.en || ejercicio.seCompila;
     const deErrores = defectos.map(d => ({ dice: d.dice, arranca: () => sePlanta(d) ? con(d) : undefined }));
     const deHuecos = huecos.map(({ pide, partida }, i) => ({ dice: `parece que falta: ${pide}`,
-      arranca: () => arranca(conTodas(solucion, j => j === i ? partida : huecos[j].hecha)) })).filter((_, i) => piezas?.[i].parte !== 1);
+      arranca: () => arranca(conTodas(solucion, j => j === i ? partida : huecos[j].hecha)) }))
+      .filter((_, i) => piezas?.[i].parte !== 1);
     const dos = (i, j) => ({ dice: `${defectos[i].dice}; y que ${defectos[j].dice.replace('parece que ', '')}`,
       arranca: () => con(defectos[i], defectos[j]) });
-    const de = guiones => porQue(corrector, guiones, { variantes: [...deHuecos, ...deErrores], defectos: deErrores, pares,
-      dos, esqueleto: { dice: '', arranca: () => arranca(esqueleto) } });
+    const de = guiones => porQue(corrector, guiones, { variantes: [...deHuecos, ...deErrores],
+      defectos: deErrores, pares, dos, esqueleto: { dice: '', arranca: () => arranca(esqueleto) } });
     const junto = dichos => dichos.filter(Boolean).slice(0, 3).join('; o ');
     const acaban = guiones.some(({ partida, ordenes }) => partida && (partida.estado ||
       partida.imagenes.length <= ordenes.length));

@@ -123,8 +123,8 @@ export class Corrector {
 
   seParecen(una, otra) { return otra ? seParecen(una, otra, this.reglas.tolerancia) : 0; }
 
-  /// Lo que arranca así juega esas órdenes hasta que se aparta de esa partida: { suya; igual, si no se aparta; exacta, si
-  /// las imágenes son las mismas }.
+  /// Lo que arranca así juega esas órdenes hasta que se aparta de esa partida: { suya; igual, si no se aparta; exacta,
+  /// si las imágenes son las mismas }.
   async deja(arranca, ordenes, partida) {
     let igual = true, exacta = true;
     const suya = await this.juega(arranca, ordenes, async (imagen, i) => {

@@ -193,8 +193,8 @@ export class Escena {
     if (vivo || this.#pedido.programa.consola) return;
     cubre(fallo ? this.#escrito.slice(-3).join('\n') || 'El programa ha fallado' : 'El programa ha terminado');
     if (fallo && !this.sesion.lienzo.getContext('webgl2')) {
-      cubre('Este navegador no da WebGL 2, y sin él solo se ve su imagen: activa en él la aceleración gráfica, actualízalo '
-        + 'o prueba con otro.');
+      cubre('Este navegador no da WebGL 2, y sin él solo se ve su imagen: activa en él la aceleración gráfica, ' +
+        'actualízalo o prueba con otro.');
       this.sinWebGL();
     } else if (fallo) this.#error(this.sesion).then(error => this.alFallar(error));
   }

@@ -33,10 +33,10 @@ export function estan(textos, escritos) {
   return Object.values(textos).every(texto => suyos.has(pelado(texto)));
 }
 
-/// De cada pieza de lo escrito, { pide, pesa, parte, de 0 a 1; y guiones, si se ha jugado }. De `datos`, los de ejercicios.js: `solucion`, sus
-/// ficheros, con «\0i\0» donde va la pieza i, y `huecos`, de cada una { pide, pesa, hecha, partida }.
-/// `arranca(textos)` dice cómo arranca un programa con esos ficheros, o nada si no compilan; `juega(suyo, nada)`, lo
-/// que vale, si no es lo mismo que lo que arranca como diga nada().
+/// De cada pieza de lo escrito, { pide, pesa, parte, de 0 a 1; falta, si es lo de partida; y guiones, si se juega }. De
+/// `datos`, los de ejercicios.js: `solucion`, sus ficheros, con «\0i\0» donde va la pieza i, y `huecos`, de cada una
+/// { pide, pesa, hecha, partida }. `arranca(textos)` dice cómo arranca un programa con esos ficheros, o nada si no
+/// compilan; `juega(suyo, nada)`, { parte, guiones }, si no es lo mismo que lo que arranca como diga nada().
 export async function porPiezas({ codigo, solucion, huecos }, escritos, { arranca, juega, avanza }) {
   const suyos = losDe(huecos, trozos(escritos, codigo)), falta = suyos.indexOf(undefined);
   if (falta >= 0)

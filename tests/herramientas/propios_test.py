@@ -22,7 +22,6 @@ from ejercicios.corrige import informes, shaders, veredicto
 from ejercicios.corrige.banco import Banco
 from ejercicios.corrige.partidas import Guion
 from ejercicios.reglas import Reglas
-from mal_hecho import MAL_HECHO
 from mentira import siembra
 from sin_pruebas_test import sin_pruebas
 
@@ -542,8 +541,11 @@ def test_un_shader_suelto(tmp_path, ref):
     assert nota({f: f"{texto}// año\n" for f, texto in pedidos.items()}, "mío {}", "latin1")["nota"] == 100
     de_partida = nota(banco.de_partida[0])  # con los nombres que se piden
     assert de_partida["nota"] < 60 and "se ve lo mismo que en el punto de partida" in de_partida["dice"]
-    mal = {f: texto.replace(*MAL_HECHO[ref]) for f, texto in pedidos.items()}
-    sin_mirar = banco.__dict__.pop("donde") if ref == "L5.3" else None
+    mal = banco.motivos.estropeados(banco.motivos.defectos[-1])
+    sin_mirar = None
+    if ref == "L5.3":
+        mal = {f: texto.replace("ecPosicion, normal)", "ecPosicion, -normal)") for f, texto in pedidos.items()}
+        sin_mirar = banco.__dict__.pop("donde")
     hecho = nota(mal)
     assert mal != pedidos and hecho["nota"] < 100
     if sin_mirar:  # línea a línea, la que se ha cambiado

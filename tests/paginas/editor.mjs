@@ -1,8 +1,10 @@
 // Tocar los shaders en la página: cambiarlos bien y mal, y hacer los ejercicios, bien y mal.
 import assert from 'node:assert/strict';
-import { dePython, lee } from './navegador.mjs';
+import { readdirSync } from 'node:fs';
+import { lee, RAIZ } from './navegador.mjs';
 
-const MAL_HECHO = dePython('import json, mal_hecho; print(json.dumps(mal_hecho.MAL_HECHO))');
+const CODIGOS = readdirSync(`${RAIZ}/herramientas/ejercicios/errores`).filter(f => f[0] === 'L')
+  .map(f => f.replace('.tsv', ''));
 const PHONG = 'ch05_iluminacion/phong.glsl';
 
 async function editaPhong(p) {
@@ -65,10 +67,13 @@ const cambios = {
   },
 };
 
-/// La solución del programa, con eso cambiado.
-async function resuelve(p, bien = '', mal = '') {
+/// La solución del programa o, mal hecha, con un error que se conoce.
+async function resuelve(p, mal) {
+  const { textos, defectos: [{ en, cambia: [desde, hasta, por] }] } =
+    (await p.da(() => pagina.deEjercicio(visto.ejercicio.codigo))).errores;
   for (const ruta of await p.da(() => Object.keys(visto.ejercicio.pide)))
-    await p.reescribe(ruta, () => lee(ruta).replace(bien, () => mal));
+    await p.reescribe(ruta, () => !mal ? lee(ruta) : ruta !== en ? textos[ruta]
+      : textos[ruta].slice(0, desde) + por + textos[ruta].slice(hasta));
 }
 
 /// La parte que coincide de lo que se ve, cuando ya se ha mirado si también lo demás; y lo que se dice.
@@ -89,7 +94,7 @@ async function empieza(p, codigo) {
   await p.acaba('empieza', () => /%/.test(una('.parecido output').textContent) && editor.ruta);
 }
 
-const cadaUno = Object.entries(MAL_HECHO).map(([codigo, cambio]) => [`el ejercicio ${codigo}, mal y bien`, async p => {
+const cadaUno = CODIGOS.map(codigo => [`el ejercicio ${codigo}, mal y bien`, async p => {
   await empieza(p, codigo);
   await p.da(() => { if (visto.programa.anima) escena.manda('tecla Espacio'); });
   const [antes] = await parecido(p), imagen = await p.imagen();
@@ -101,7 +106,7 @@ const cadaUno = Object.entries(MAL_HECHO).map(([codigo, cambio]) => [`el ejercic
   assert.deepEqual(await parecido(p), [antes, 'El shader tiene un error: la imagen es la de antes.']);
   assert.deepEqual(await p.imagen(), imagen);
 
-  await resuelve(p, ...cambio);
+  await resuelve(p, true);
   let [coincide, dicho] = await parecido(p);
   assert.deepEqual(await p.da(() => escena.errores), [], 'lo mal hecho compila');
   assert.ok(coincide < 99.9 || dicho.startsWith('Falta'), `lo mal hecho coincide el ${coincide} %: ${dicho}`);
@@ -124,7 +129,7 @@ const ejercicios = {
     await p.carga();
     const suyos = await p.da(() =>
       JSON.parse(una('#programas').textContent).flatMap(q => q.ejercicios.filter(e => !e.carpeta).map(e => e.codigo)));
-    assert.deepEqual(suyos.sort(), Object.keys(MAL_HECHO).sort());
+    assert.deepEqual(suyos.sort(), CODIGOS.sort());
     await empieza(p, 'L5.1');
     await resuelve(p);
     assert.match((await parecido(p))[1], /^Resuelto/);

@@ -188,7 +188,7 @@ class Motivos:
         return self.jugador(nombres(suyos), sitio, "mutantes", sitio / nombre_de(suyos), LAB_MUTANTE=cuales)
 
     def pares(self, defectos_):
-        """De esos, los que se pueden plantar de dos en dos, y que tenga sentido: son del mismo hueco o imitan lo mismo."""
+        """De esos, los que se pueden plantar de dos en dos y tiene sentido: del mismo hueco o que imitan lo mismo."""
         textos = {ruta(self.programa, f): t for f, t in self.textos().items()}
         huecos = [(ruta(self.programa, f), t.span()) for f, t in self.trozos()]
 
