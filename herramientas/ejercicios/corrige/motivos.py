@@ -1,6 +1,7 @@
 """Por qué falla una entrega: qué defecto conocido, o qué dos, plantados en la solución, dejan en todos los guiones lo
 mismo; qué no responde; cómo acaba."""
 import itertools
+import math
 import re
 import shutil
 import tempfile
@@ -12,7 +13,7 @@ from base.guiones import sin_veces
 from base.procesos import Fallo, escribe
 from ejercicios import nuevo, propios
 from ejercicios.corrige.compilador import SUYA
-from ejercicios.corrige.entrega import Rechazo
+from ejercicios.corrige.entrega import COMENTARIO, Rechazo
 from ejercicios.corrige.partidas import Jugador
 
 ERRORES = "herramientas/ejercicios/errores"
@@ -32,6 +33,9 @@ SE_EXIGE = {  # lo que comprueba _GLIBCXX_ASSERTIONS
     "!= nullptr": "se usa un puntero que no apunta a nada",
     "__n < _Nm": "un índice se sale de un array",
 }
+CONSTANTES = [math.pi * k for k in (1 / 180, 1 / 6, 1 / 4, 1 / 3, 1 / 2, 2 / 3, 1, 2)] + [180 / math.pi]
+CONSTANTES += [1 / 3, 2 / 3, 1 / 6, 1 / 9, *(math.sqrt(n) / k for n in (2, 3) for k in (1, 2, 3))]
+DECIMAL = re.compile(r"(?<![\w.])\d*\.(\d{2,})")
 MUCHO = 16 << 20  # bytes que escribe quien no ha dejado un printf en un bucle
 
 
@@ -298,11 +302,24 @@ def no_responden(partidas, esperadas):
     return [o for o in deben if not hace.get(o)], any(hace.get(o) for o in deben)
 
 
+def pocas_cifras(ficheros, de_partida):
+    """Lo que se dice del primer número escrito que es una constante con pocas cifras, 3.14 o 0.33, y no se daba."""
+    dados = {n for texto in de_partida.values() for n in DECIMAL.findall(texto)}
+    for f, crudo in ficheros.items():
+        texto = COMENTARIO.sub(lambda m: b"\n" * m[0].count(b"\n"), crudo).decode(errors="replace")
+        for m in DECIMAL.finditer(texto):
+            cifras, vale = len(m[1]), float(m[0])
+            redondas = {c: {round(c, cifras), math.floor(c * 10**cifras) / 10**cifras} for c in CONSTANTES}
+            if m[0] not in dados and any(vale in r and abs(vale / c - 1) > 1e-6 for c, r in redondas.items()):
+                return f": ¿pocas cifras en {f}:{texto.count(chr(10), 0, m.start()) + 1}, {m[0]}?"
+    return ""
+
+
 def tras(p, guion):
-    """Hasta dónde ha llegado una partida que no llega al final."""
+    """La orden con que se queda una partida que no llega al final."""
     if not p.imagenes:
         return " sin dibujar nada"
-    return f" tras «{guion.ordenes[len(p.imagenes) - 2]}»" if 1 < len(p.imagenes) <= len(guion.ordenes) else ""
+    return f" al hacer «{guion.ordenes[len(p.imagenes) - 1]}»" if len(p.imagenes) <= len(guion.ordenes) else ""
 
 
 def como_acaba(p, guion):
@@ -315,7 +332,7 @@ def como_acaba(p, guion):
     if p.cuelga and p.segundos < p.limite / 2:
         return f"se queda esperando{donde}: ¿duerme, o espera a que alguien escriba o pulse algo?"
     if p.cuelga:
-        return f"tarda más de {p.limite:.0f} s de procesador{donde}: ¿un bucle que no acaba?"
+        return f"tarda más de {p.limite:.0f} s de procesador{donde}: ¿un bucle que no acaba, o demasiado trabajo?"
     if p.estado == 3:
         return dice.partition(": ")[2] or "error de OpenGL"
     if p.estado == -1:
