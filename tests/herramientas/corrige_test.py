@@ -471,7 +471,8 @@ def test_como_acaba_una_partida():
             "estado": 134,
             "errores": "x:3: f: Assertion '__n < this->size()' failed.\n",
         },
-        "acceso a memoria que no es suya": {"estado": 139},
+        "que se llama a sí misma sin fin": {"estado": 139},
+        "pide más memoria": {"estado": 134, "errores": "  what():  std::bad_alloc\n"},
         "no ha dejado nada": {"estado": -1},
     }
     for dice, como in acaban.items():

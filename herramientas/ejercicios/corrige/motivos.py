@@ -24,7 +24,7 @@ SENALES = {
     134: "abort",
     135: "memoria mal alineada",
     136: "división por cero",
-    139: "acceso a memoria que no es suya",
+    139: "acceso a memoria que no es suya, o una función que se llama a sí misma sin fin",
 }
 
 SE_EXIGE = {  # lo que comprueba _GLIBCXX_ASSERTIONS
@@ -330,7 +330,7 @@ def como_acaba(p, guion):
     if p.escrito > MUCHO:
         return f"escribe demasiado{donde}, más de {MUCHO >> 20} MB: ¿un printf o un cout en un bucle que no acaba?"
     if p.cuelga and p.segundos < p.limite / 2:
-        return f"se queda esperando{donde}: ¿duerme, o espera a que alguien escriba o pulse algo?"
+        return f"se queda esperando{donde}: ¿duerme, espera a que alguien escriba o pulse algo, o llama a fork?"
     if p.cuelga:
         return f"tarda más de {p.limite:.0f} s de procesador{donde}: ¿un bucle que no acaba, o demasiado trabajo?"
     if p.estado == 3:
@@ -339,6 +339,8 @@ def como_acaba(p, guion):
         return "no ha dejado nada: ha llenado su disco o ha acabado con quien lo ejecutaba"
     if p.estado > 128:
         que = next((linea.strip() for linea in p.errores.splitlines() if "what():" in linea), "")
+        if "std::bad_alloc" in que:
+            return f"se cae{donde}: pide más memoria de la que se le da: ¿un vector que crece sin fin?"
         if falla := re.search(r"Assertion '(.*)' failed", p.errores):
             que = next((dicho for trozo, dicho in SE_EXIGE.items() if trozo in falla[1]), falla[1])
             return f"se cae{donde}: {que}"
