@@ -11,6 +11,7 @@ falta algo en su lugar. En uno de quien enseña (ejercicios/propios.py), en vez 
 
 marcas.py RAÍZ CARPETA: deja en CARPETA los shaders de RAÍZ, con todos sus ejercicios por hacer.
 """
+import difflib
 import re
 import sys
 from pathlib import Path
@@ -22,6 +23,18 @@ TROZO = re.compile(
     re.MULTILINE,
 )
 PARTIDA = re.compile(r"^( *)// de partida: (.+\n)", re.MULTILINE)
+
+
+def fin_de_nadie(texto, codigo):
+    """(línea, cómo está escrito) del comentario más parecido a «// fin de CODIGO» que no cierra nada, o None."""
+    debe = f"// fin de {codigo}"
+    abiertos = re.findall(r"^[ \t]*// (\S+): ", texto, re.M)
+    hay = {}
+    for n, renglon in enumerate(texto.splitlines(), 1):
+        escrito = renglon.strip()
+        if re.match(r"/[/*]?\s*fin\b", escrito, re.I) and escrito not in [f"// fin de {c}" for c in abiertos]:
+            hay.setdefault(escrito, n)
+    return next(((hay[e], e) for e in difflib.get_close_matches(debe, hay, 1, 0.7)), None)
 
 
 def que_piden(textos):

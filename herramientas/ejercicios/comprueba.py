@@ -12,7 +12,7 @@ from pathlib import Path
 
 from base import controles, defectos
 from base.fuentes import SHADERS
-from base.marcas import TROZO
+from base.marcas import TROZO, fin_de_nadie
 from base.procesos import Fallo, principal
 from ejercicios import nuevo, perturba, propios, reglas
 from ejercicios.corrige import partidas, shaders, veredicto
@@ -60,6 +60,8 @@ def marcas(raiz, programa, ref):
             if abre:
                 abierta = n
         mal += [f"{f}:{abierta}: no se cierra"] if abierta else []
+        if (de_nadie := fin_de_nadie(texto, ref)) and any(m.startswith(f"{f}:") for m in mal):
+            mal.append(f"{f}:{de_nadie[0]}: «{de_nadie[1]}» no es de nadie: ¿es «// fin de {ref}»?")
     if not cuantos and not mal:
         mal.append(f"no se pide nada: falta «// {ref}: …» y «// fin de {ref}»")
         mal += [f"las marcas son de {', '.join(sorted(otras))}, y deben ser de {ref}"] if otras else []

@@ -51,12 +51,14 @@ class Reglas:
         return pesos
 
     def junta(self, entero, piezas):
-        """La parte de lo entero y la de cada pieza, si se sabe, en una."""
+        """La parte de lo entero y la de cada pieza, si se sabe, en una, que no es menos que lo que pesan las que están
+        del todo bien. Si lo están todas y lo entero no, lo de fuera cuenta como la que menos pesa."""
         if not piezas:
             return entero
         pesos = self.de_cada(len(piezas))
         media = sum(peso * pieza for peso, pieza in zip(pesos, piezas)) / sum(pesos)
-        return entero + self.huecos / CIEN * (media - entero)
+        mal = sum(peso for peso, pieza in zip(pesos, piezas) if pieza < 1) or min(filter(None, pesos))
+        return max(entero + self.huecos / CIEN * (media - entero), 1 - mal / sum(pesos))
 
     @property
     def cuanto_casi(self):
@@ -73,6 +75,7 @@ class Reglas:
             f"{self.casi:g} %; quitan, de 100, el título {self.titulo:g}, el texto {self.texto:g} y el estado con que "
             f"acaba {self.estado:g}; de lo que no es 100, las piezas, cada una por su cuenta, {self.huecos:g} %"
             f"{f', con pesos {self.pesos}' if numeros(self.pesos) else ''}"
+            f"{', y nunca menos de lo que pesan las que están bien' if self.huecos else ''}"
         ) + (f"; escala: {self.escala}" if self.tramos else "")
 
     @property

@@ -155,6 +155,7 @@ def linea(de, texto=CPP):
 SIN_MIRAR = (  # qué pregunta lo nota, en qué fichero se cambia qué por qué, y lo que dice
     ("marcas", "molinete_cpp", FIN + "    return", "return", f"{linea(PRIMERA)}no se cierra antes de la siguiente"),
     ("marcas", "molinete_cpp", FIN + "    glut", "glut", f"{linea(SEGUNDA)}no se cierra"),
+    ("marcas", "molinete_cpp", FIN, "// fin de molinte\n", f"{linea(FIN)}«// fin de molinte» no es de nadie"),
     ("marcas", "molinete_cpp", SEGUNDA, "// la tecla", "se cierra sin haberse abierto"),
     ("marcas", "molinete_cpp", SEGUNDA, "// molinete:", f"{linea(SEGUNDA)}no dice qué se pide"),
     ("marcas", "molinete_cpp", "molinete", "E3.9", "falta «// molinete: …»"),

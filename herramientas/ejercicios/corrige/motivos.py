@@ -1,6 +1,7 @@
 """Por qué falla una entrega: qué defecto conocido, o qué dos, plantados en la solución, dejan en todos los guiones lo
 mismo; qué no responde; cómo acaba."""
 import itertools
+import math
 import re
 import shutil
 import tempfile
@@ -12,7 +13,7 @@ from base.guiones import sin_veces
 from base.procesos import Fallo, escribe
 from ejercicios import nuevo, propios
 from ejercicios.corrige.compilador import SUYA
-from ejercicios.corrige.entrega import Rechazo
+from ejercicios.corrige.entrega import COMENTARIO, Rechazo
 from ejercicios.corrige.partidas import Jugador
 
 ERRORES = "herramientas/ejercicios/errores"
@@ -23,7 +24,7 @@ SENALES = {
     134: "abort",
     135: "memoria mal alineada",
     136: "división por cero",
-    139: "acceso a memoria que no es suya",
+    139: "acceso a memoria que no es suya, o una función que se llama a sí misma sin fin",
 }
 
 SE_EXIGE = {  # lo que comprueba _GLIBCXX_ASSERTIONS
@@ -32,6 +33,9 @@ SE_EXIGE = {  # lo que comprueba _GLIBCXX_ASSERTIONS
     "!= nullptr": "se usa un puntero que no apunta a nada",
     "__n < _Nm": "un índice se sale de un array",
 }
+CONSTANTES = [math.pi * k for k in (1 / 180, 1 / 6, 1 / 4, 1 / 3, 1 / 2, 2 / 3, 1, 2)] + [180 / math.pi]
+CONSTANTES += [1 / 3, 2 / 3, 1 / 6, 1 / 9, *(math.sqrt(n) / k for n in (2, 3) for k in (1, 2, 3))]
+DECIMAL = re.compile(r"(?<![\w.])\d*\.(\d{2,})")
 MUCHO = 16 << 20  # bytes que escribe quien no ha dejado un printf en un bucle
 
 
@@ -305,11 +309,24 @@ def no_responden(partidas, esperadas):
     return [o for o in deben if not hace.get(o)], any(hace.get(o) for o in deben)
 
 
+def pocas_cifras(ficheros, de_partida):
+    """Lo que se dice del primer número escrito que es una constante con pocas cifras, 3.14 o 0.33, y no se daba."""
+    dados = {n for texto in de_partida.values() for n in DECIMAL.findall(texto)}
+    for f, crudo in ficheros.items():
+        texto = COMENTARIO.sub(lambda m: b"\n" * m[0].count(b"\n"), crudo).decode(errors="replace")
+        for m in DECIMAL.finditer(texto):
+            cifras, vale = len(m[1]), float(m[0])
+            redondas = {c: {round(c, cifras), math.floor(c * 10**cifras) / 10**cifras} for c in CONSTANTES}
+            if m[0] not in dados and any(vale in r and abs(vale / c - 1) > 1e-6 for c, r in redondas.items()):
+                return f": ¿pocas cifras en {f}:{texto.count(chr(10), 0, m.start()) + 1}, {m[0]}?"
+    return ""
+
+
 def tras(p, guion):
-    """Hasta dónde ha llegado una partida que no llega al final."""
+    """La orden con que se queda una partida que no llega al final."""
     if not p.imagenes:
         return " sin dibujar nada"
-    return f" tras «{guion.ordenes[len(p.imagenes) - 2]}»" if 1 < len(p.imagenes) <= len(guion.ordenes) else ""
+    return f" al hacer «{guion.ordenes[len(p.imagenes) - 1]}»" if len(p.imagenes) <= len(guion.ordenes) else ""
 
 
 def como_acaba(p, guion):
@@ -320,15 +337,17 @@ def como_acaba(p, guion):
     if p.escrito > MUCHO:
         return f"escribe demasiado{donde}, más de {MUCHO >> 20} MB: ¿un printf o un cout en un bucle que no acaba?"
     if p.cuelga and p.segundos < p.limite / 2:
-        return f"se queda esperando{donde}: ¿duerme, o espera a que alguien escriba o pulse algo?"
+        return f"se queda esperando{donde}: ¿duerme, espera a que alguien escriba o pulse algo, o llama a fork?"
     if p.cuelga:
-        return f"tarda más de {p.limite:.0f} s de procesador{donde}: ¿un bucle que no acaba?"
+        return f"tarda más de {p.limite:.0f} s de procesador{donde}: ¿un bucle que no acaba, o demasiado trabajo?"
     if p.estado == 3:
         return dice.partition(": ")[2] or "error de OpenGL"
     if p.estado == -1:
         return "no ha dejado nada: ha llenado su disco o ha acabado con quien lo ejecutaba"
     if p.estado > 128:
         que = next((linea.strip() for linea in p.errores.splitlines() if "what():" in linea), "")
+        if "std::bad_alloc" in que:
+            return f"se cae{donde}: pide más memoria de la que se le da: ¿un vector que crece sin fin?"
         if falla := re.search(r"Assertion '(.*)' failed", p.errores):
             que = next((dicho for trozo, dicho in SE_EXIGE.items() if trozo in falla[1]), falla[1])
             return f"se cae{donde}: {que}"

@@ -182,7 +182,7 @@ def lineas(donde, comunes):
 
 
 def parejas(entregas, dadas=(), basta=BASTA):
-    """De {quién: sus textos}, las que se parecen, antes las que más tienen en común. DADAS: lo que tiene cualquiera."""
+    """De {quién: sus textos}, las que se parecen, antes las que más tienen en común y menos propio. DADAS: lo que tiene cualquiera."""
     de_otros = de_fuera(dadas)
     de_todos = set().union(*(senas(textos, de_otros) for textos in dadas))
     donde = {
@@ -206,7 +206,7 @@ def parejas(entregas, dadas=(), basta=BASTA):
         cuanto = 2 * pesa / (pesan[una] + pesan[otra])
         if cuanto >= basta and pesa >= MINIMO:
             halladas.append(Pareja(una, otra, cuanto, pesa, (lineas(donde[una], hay), lineas(donde[otra], hay))))
-    return sorted(halladas, key=lambda p: (-round(p.pesa, 6), -round(p.cuanto, 6), str(p.una), str(p.otra)))
+    return sorted(halladas, key=lambda p: (-round(p.pesa * p.cuanto, 6), -round(p.pesa, 6), str(p.una), str(p.otra)))
 
 
 def al_lado(textos, marcadas):

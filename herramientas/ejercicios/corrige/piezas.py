@@ -2,7 +2,7 @@
 bien cuatro de cinco no saca lo mismo que quien no ha hecho nada."""
 from pathlib import Path
 
-from base.marcas import TROZO, esqueleto
+from base.marcas import TROZO, esqueleto, fin_de_nadie
 from ejercicios.corrige.entrega import COMENTARIO, Rechazo
 from ejercicios.corrige.injerto import los_suyos, texto_de
 
@@ -48,7 +48,11 @@ class Piezas:
         self.suyos = los_de(trozos, los_suyos(ficheros, ref), ref)
         if None in self.suyos:
             pide = trozos[self.suyos.index(None)]["pide"]
-            raise SoloLoEntero(f"no está entera la marca «// {ref}: {pide}», con su «// fin de {ref}»")
+            hallados = [(f, fin_de_nadie(texto_de(c), ref)) for f, c in sorted(ficheros.items())]
+            mal = [f"; en {f}:{de[0]}, «{de[1]}» no es de nadie" for f, de in hallados if de]
+            raise SoloLoEntero(
+                f"no está entera la marca «// {ref}: {pide}», con su «// fin de {ref}»{''.join(mal[:1])}"
+            )
 
     def juega(self):
         """De cada una, su parte, de 0 a 1, y qué errores conocidos parecen."""

@@ -11,7 +11,7 @@ from base.guiones import acorta, sin_veces
 from base.procesos import en_png
 from ejercicios.corrige.arbitro import BIEN, CASI, aparte
 from ejercicios.corrige.entrega import Rechazo
-from ejercicios.corrige.motivos import SENALES, como_acaba, no_responden
+from ejercicios.corrige.motivos import SENALES, como_acaba, no_responden, pocas_cifras
 from ejercicios.corrige.donde import TRAZO
 from ejercicios.corrige.partidas import FINAL, TALLA, Guion, Partida, lee_ppm
 from ejercicios.corrige.piezas import NO_COMPILA, PARECE, Piezas, SoloLoEntero, pelado
@@ -24,7 +24,7 @@ INTENTOS = 24  # para acortar un guion
 CUELGUES = 2  # tras los que no se juega más
 AVISOS = 3  # del propio programa
 COMO_AL_EMPEZAR = "se ve lo mismo que en el punto de partida"
-POR_POCO = "se ve casi igual, con un desvío de menos de un cuarto de píxel: ¿pocas cifras?"
+POR_POCO = "se ve casi igual, con un desvío de menos de un cuarto de píxel"
 TOPE = 300  # segundos de una entrega, entre todos sus guiones
 
 
@@ -255,7 +255,7 @@ class Correccion:
         porque = [dice for dice in porque if dice]
         dice = ["; o ".join(porque[:3])] if porque else []
         if not porque and fallan and len(casi) == len(fallan):
-            return [POR_POCO]
+            return [f"{POR_POCO}{pocas_cifras(self.entrega.ficheros, self.banco.de_partida[0])}"]
         callan, alguna = no_responden(self.partidas, self.esperadas)
         if callan and not alguna:
             dice.append("no responde a nada de lo que debería")
