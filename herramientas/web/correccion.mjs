@@ -2,7 +2,7 @@
 import { deEjercicio } from './almacen.mjs';
 import { boton, crea, una } from '../base/documento.mjs';
 import { hazEnlace } from './enlaces.mjs';
-import { esFuente } from './fuentes.mjs';
+import { esFuente, leeError } from './fuentes.mjs';
 import { porQue } from './motivos.mjs';
 import { BIEN, CASI, nota, parte, redondea } from './nota.mjs';
 import { conTodas, estan, porPiezas, SoloLoEntero } from './piezas.mjs';
@@ -160,14 +160,16 @@ export class Correccion {
     const delRaton = ordenes.some(o => /^(boton|arrastra|mueve|rueda)/.test(o));
     const guion = [...delRaton && !ordenes[0].startsWith('escala') ? ['escala 240 180'] : [], ...ordenes];
     const enTalla = !ordenes.some(o => o.startsWith('tamano')), lugar = pixel && enTalla && pixel;
-    const que = error ? motivoDe(error) : casi ? 'se ve casi igual: ¿pocas cifras?' : 'no se ve lo mismo.';
+    const mal = dicho.map(texto => leeError(texto, programa.capitulo)).find(mal => mal?.ruta);
+    const seVe = casi ? 'se ve casi igual.' : 'no se ve lo mismo.';
+    const que = error ? motivoDe(error) : mal ? `no compila. ${donde(mal)}${mal.mensaje}` : seVe;
     const botones = [boton('Verlo', () => this.ensena(guion.join('; ')))];
     if (lugar) botones.push(boton('Explicar ese píxel en lo tuyo', () => this.ensena(guion.join('; '), lugar)));
     if (lugar && !oculto)
       botones.push(crea('a', { target: '_blank', textContent: 'Y en el objetivo ↗',
         href: hazEnlace(`${programa.nombre}/explica/${lugar}`, guion) }));
     return [linea('Falla primero así: ', crea('b', { textContent: dice }), `: ${que}`),
-      ...dicho.length ? [crea('p', { className: 'dicho', textContent: dicho.slice(0, 2).join('\n') })] : [],
+      ...dicho.length && !mal ? [crea('p', { className: 'dicho', textContent: dicho.slice(0, 2).join('\n') })] : [],
       crea('p', { className: 'acciones' }, ...botones)];
   }
 }
