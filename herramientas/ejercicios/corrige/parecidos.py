@@ -182,7 +182,8 @@ def lineas(donde, comunes):
 
 
 def parejas(entregas, dadas=(), basta=BASTA):
-    """De {quién: sus textos}, las que se parecen, antes las que más tienen en común y menos propio. DADAS: lo que tiene cualquiera."""
+    """De {quién: sus textos}, las que se parecen, antes las que más tienen en común y menos propio. DADAS: lo que
+    tiene cualquiera."""
     de_otros = de_fuera(dadas)
     de_todos = set().union(*(senas(textos, de_otros) for textos in dadas))
     donde = {
