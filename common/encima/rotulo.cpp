@@ -35,7 +35,7 @@ glm::vec3 legible(const glm::vec3 &color, const glm::vec3 &halo) {
     return glm::mix(color, contrario, cuanto);
 }
 
-// Los caracteres de un texto en UTF-8, línea a línea. Los de cuatro bytes no salen los que son: no hay signo para ellos.
+// Los caracteres de un texto en UTF-8, línea a línea. Los de cuatro bytes salen otros: no hay signo para ellos.
 std::vector<std::u32string> lineasDe(const std::string &texto) {
     std::vector<std::u32string> lineas(1);
     for (const unsigned char byte : texto) {

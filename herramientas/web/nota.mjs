@@ -42,8 +42,10 @@ export function parte(guiones, reglas) {
 /// Esa, junto con la de cada pieza, si se sabe, y sin lo que quita lo demás. Con un fallo que cueste algo no es 100.
 export function nota(guiones, otros, reglas, piezas = []) {
   const entero = parte(guiones, reglas);
-  const media = suma(piezas.map(p => p.pesa * p.parte)) / suma(piezas.map(p => p.pesa));
-  const puntos = piezas.length ? entero + reglas.huecos / 100 * (media - entero) : entero;
+  const pesan = suma(piezas.map(p => p.pesa)), media = suma(piezas.map(p => p.pesa * p.parte)) / pesan;
+  const mal = suma(piezas.filter(p => p.parte < 1).map(p => p.pesa)) || // o lo de fuera, como la que menos
+    Math.min(...piezas.map(p => p.pesa).filter(Boolean));
+  const puntos = piezas.length ? Math.max(entero + reglas.huecos / 100 * (media - entero), 1 - mal / pesan) : entero;
   const cuestan = suma(Object.keys(otros).map(que => reglas[que]));
   const todo = guiones.every(g => g.parecido === BIEN || reglas.casi === 100 && g.parecido === CASI);
   return Math.min(redondea(puntos * (100 - cuestan)), todo && !cuestan ? 100 : 99.9);
