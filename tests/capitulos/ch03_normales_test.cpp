@@ -64,9 +64,9 @@ private:
 };
 
 // El prisma en cada píxel: la normal de cada cara, ya transformada, mira hacia fuera del centro. Y en cada lado sus
-// flechas, de largo 0.75 y, hacia dentro, la mitad: verde, la perpendicular; roja y a trazos, la del lado original con su
-// x y su y escaladas; y naranja la de la adjunta del libro, el producto vectorial tal cual. Azul, el propio lado; y, sin
-// normalizar, gris la unitaria y verde lo que mide con la inversa traspuesta.
+// flechas, de largo 0.75 y, hacia dentro, la mitad: verde, la perpendicular; roja y a trazos, la del lado original con
+// su x y su y escaladas; y naranja la de la adjunta del libro, el producto vectorial tal cual. Azul, el propio lado; y,
+// sin normalizar, gris la unitaria y verde lo que mide con la inversa traspuesta.
 TEST(ProgramaNormales, CadaCasoContraElOraculo) {
     const CasoNormales casos[] = {
         {"", 1, 1},
