@@ -436,7 +436,9 @@ export function muestraCuadro(datos, contenedor, { conImagen = true } = {}) {
   if (!datos.ordenes.length) return contenedor.replaceChildren(h('p', {}, 'Este cuadro no dibuja ni borra nada.'));
   const { elige, elemento } = ordenesDe(datos);
   const partes = resumen(datos, conImagen);
-  if (datos.pixel) partes.push(h('h2', {}, 'La historia del píxel'), historia(datos, elige), ...loQueFalta(datos),
+  const veces = datos.historia?.filter(s => s.veredicto === 'escrito').length, titulo = 'La historia del píxel';
+  if (datos.pixel) partes.push(h('h2', {}, veces > 2 ? `${titulo}: escrito ${veces} veces` : titulo),
+    historia(datos, elige), ...loQueFalta(datos),
     ...sombreadoDe(datos), ...mallaDe(datos.sombreado ?? {}));
   partes.push(h('h2', {}, 'El cuadro, orden a orden'), elemento);
   if (typeof datos.veces?.imagen === 'string') partes.push(h('div', { style: `max-width: ${ANCHO}px` },

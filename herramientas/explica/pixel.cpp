@@ -295,6 +295,10 @@ void dibuja(const Orden &o, int numero, const Lienzo &l, Punto p, std::vector<Su
         glUseProgram(cobertura);
         soloPregunta(p);
         cubren(s, 0, s.primitivas.cuantas(), cuales);
+        // de los puntos, Mesa cuenta también alguno que pasa cerca y no pinta nada
+        const auto noPinta = [&](int cual) { return !fragmentoDe(q, [&] { s.dibuja(cual, cual + 1); }); };
+        if (s.primitivas.vertices == 1)
+            cuales.erase(std::remove_if(cuales.begin(), cuales.end(), noPinta), cuales.end());
     }
     if (cuales.empty())
         return o.hazla();

@@ -86,6 +86,13 @@ bool aplasta(const std::vector<double> &m) {
     return std::fabs(det) <= 1e-6 * largo(&m[0]) * largo(&m[4]) * largo(&m[8]);
 }
 
+// El ancho entre el alto de lo que se ve con una proyección perspectiva y nada más; de otra matriz, ninguno.
+std::optional<double> aspectoDe(const std::vector<double> &m) {
+    if (m.size() != 16 || m[11] != -1 || m[15] != 0 || m[1] != 0 || m[4] != 0 || !(m[0] * m[5] > 0))
+        return {};
+    return m[5] / m[0];
+}
+
 double largo(const std::array<float, 4> &v) {
     const double suyo[] = {double(v[0]), double(v[1]), double(v[2])};
     return largo(suyo);
@@ -132,6 +139,9 @@ void Sospechas::delCableado(const Cableado &c, const Orden &o, const Lienzo &l, 
     const auto esParte = [](const Uniforme &u) {
         return EN_WEB || u.variable.nombre.find_first_of(".[") != std::string::npos;
     };
+    const auto viewport = cuatro(GL_VIEWPORT);
+    const bool llena = viewport[2] == l.ancho && viewport[3] == l.alto;
+    const double aspecto = double(l.ancho) / l.alto;
     for (const Uniforme &u : c.uniformes) {
         const std::string quien = "el uniform «" + u.variable.nombre + "» ";
         const bool matriz =
@@ -156,6 +166,11 @@ void Sospechas::delCableado(const Cableado &c, const Orden &o, const Lienzo &l, 
                 "en la orden " + std::to_string(n) + ", " + quien +
                     "es una matriz de determinante 0: lo que dibuja queda en un plano",
                 "Si no es lo que se quiere, ¿hay un factor de escala que es 0, o un eje repetido?");
+        else if (const auto suyo = aspectoDe(u.valor); suyo && llena && std::fabs(*suyo / aspecto - 1) > 0.05)
+            pon(SEGURO, n,
+                quien + "es una proyección de aspecto " + cifras(*suyo, 3) + " y la ventana mide " +
+                    cifras(aspecto, 3) + " de ancho por cada uno de alto: lo que se ve sale deformado",
+                "El aspecto es ancho / alto, en reales: entre enteros, 4 / 3 es 1.");
     }
     for (const Textura &t : c.texturas)
         if (!t.incompleta.empty())

@@ -91,6 +91,8 @@ def fallos_de_tests(suceso):
 
 def fallos_de_mascara(suceso, canales):
     """Quien escribe cambia los canales que escribe su orden y ninguno más; si no mezcla, por los de su color."""
+    if suceso["veredicto"] == "escrito" and "primitiva" in suceso and "color" not in suceso:
+        yield "está escrito sin que el shader dé ningún color"
     if suceso["veredicto"] == "mascara" and canales or suceso["veredicto"] == "escrito" and not canales:
         yield f"escribe «{canales}»"
     mezcla = suceso.get("mezcla", {}).get("si", True)
