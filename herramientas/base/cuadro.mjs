@@ -159,7 +159,8 @@ function interpolacion(sombreado) {
   const suyas = sombreado.vertices.map(salidas);
   const nombres = [...(suyas[0]?.keys() ?? [])];
   const titulos = ['', ...sombreado.vertices.map(v => `vértice ${v.indice}`), 'en el píxel'];
-  const peso = (titulo, pesos) => pesos && h('tr', {}, h('th', {}, titulo), pesos.map(p => h('td', {}, cifra(p))));
+  const peso = (titulo, pesos) => pesos && h('tr', {}, h('th', {}, titulo), pesos.map(p => h('td', {}, cifra(p))),
+    h('td'));
   const fila = nombre => {
     const entrada = sombreado.entradas?.find(e => e.nombre === nombre);
     return h('tr', {}, h('th', {}, h('code', {}, nombre)),
