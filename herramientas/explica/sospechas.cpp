@@ -102,6 +102,23 @@ bool casiCero(const std::vector<double> &v) {
     return std::all_of(v.begin(), v.end(), [](double x) { return x == 0; });
 }
 
+// Qué tiene de raro una matriz con que se dibuja, y qué probar.
+std::optional<std::pair<std::string, std::string>> loRaro(const std::vector<double> &m, const Lienzo &l) {
+    if (casiCero(m))
+        return {{"es una matriz toda de ceros", "Debería ser al menos la identidad: glm::mat4(1)."}};
+    if (aplasta(m))
+        return {{"es una matriz de determinante 0: lo que dibuja queda en un plano",
+                 "Si no es lo que se quiere, ¿hay un factor de escala que es 0, o un eje repetido?"}};
+    const auto viewport = cuatro(GL_VIEWPORT);
+    const double aspecto = double(l.ancho) / l.alto;
+    const std::optional<double> suyo = aspectoDe(m);
+    if (!suyo || viewport[2] != l.ancho || viewport[3] != l.alto || std::fabs(*suyo / aspecto - 1) <= 0.05)
+        return {};
+    return {{"es una proyección de aspecto " + cifras(*suyo, 3) + " y la ventana mide " + cifras(aspecto, 3) +
+                 " de ancho por cada uno de alto: lo que se ve sale deformado",
+             "El aspecto es ancho / alto, en reales: entre enteros, 4 / 3 es 1."}};
+}
+
 // Si las normales apuntan hacia fuera de los vértices de que son.
 bool haciaFuera(const Cableado &c) {
     const Atributo *const normales = atributoDe(c, "ormal"), *const posiciones = atributoDe(c, "osi");
@@ -139,9 +156,6 @@ void Sospechas::delCableado(const Cableado &c, const Orden &o, const Lienzo &l, 
     const auto esParte = [](const Uniforme &u) {
         return EN_WEB || u.variable.nombre.find_first_of(".[") != std::string::npos;
     };
-    const auto viewport = cuatro(GL_VIEWPORT);
-    const bool llena = viewport[2] == l.ancho && viewport[3] == l.alto;
-    const double aspecto = double(l.ancho) / l.alto;
     for (const Uniforme &u : c.uniformes) {
         const std::string quien = "el uniform «" + u.variable.nombre + "» ";
         const bool matriz =
@@ -158,19 +172,8 @@ void Sospechas::delCableado(const Cableado &c, const Orden &o, const Lienzo &l, 
             pon(esEntero(u.variable.tipo) ? SI_NO_SE_VE_NADA : SEGURO, n,
                 quien + "lo usa el shader y nadie le ha dado valor: es 0",
                 "Falta enviarlo, se llama de otra manera o se ha enviado sin glUseProgram antes.");
-        else if (matriz && u.dado && casiCero(u.valor))
-            pon(SEGURO, n, quien + "es una matriz toda de ceros",
-                "Debería ser al menos la identidad: glm::mat4(1).");
-        else if (matriz && aplasta(u.valor))
-            pon(SEGURO, n,
-                "en la orden " + std::to_string(n) + ", " + quien +
-                    "es una matriz de determinante 0: lo que dibuja queda en un plano",
-                "Si no es lo que se quiere, ¿hay un factor de escala que es 0, o un eje repetido?");
-        else if (const auto suyo = aspectoDe(u.valor); suyo && llena && std::fabs(*suyo / aspecto - 1) > 0.05)
-            pon(SEGURO, n,
-                quien + "es una proyección de aspecto " + cifras(*suyo, 3) + " y la ventana mide " +
-                    cifras(aspecto, 3) + " de ancho por cada uno de alto: lo que se ve sale deformado",
-                "El aspecto es ancho / alto, en reales: entre enteros, 4 / 3 es 1.");
+        else if (const auto raro = matriz && (u.dado || vale(u)) ? loRaro(u.valor, l) : std::nullopt)
+            pon(SEGURO, n, "en la orden " + std::to_string(n) + ", " + quien + raro->first, raro->second);
     }
     for (const Textura &t : c.texturas)
         if (!t.incompleta.empty())
