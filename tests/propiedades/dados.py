@@ -15,6 +15,7 @@ IMAGEN = """
     f.rgb -talla 7x6           | 1 | una imagen RGB de 7×6 ocupa 126 bytes y hay 105
     f.rgb -talla 99999x1       | 1 | no hay texturas de 99999×1
     larga.rgb -talla 32768x1   | 1 | 32768×1 es demasiado grande: este OpenGL las admite de hasta 16384 de lado
+    larga.rgb -talla 1x32768   | 1 | 1×32768 es demasiado grande: este OpenGL las admite de hasta 16384 de lado
     f.rgb                      | 2 | de un fichero RGB sin cabecera hay que decir -talla ANCHOxALTO
     f.rgb -talla               | 2 | detrás de -talla va el tamaño, ANCHOxALTO
     f.rgb -talla 7             | 2 | detrás de -talla va el tamaño
