@@ -94,8 +94,11 @@ class Galeria:
             orden += ["-titulos", "-", "-geometry", TALLA, "-ppm", ppm]
         if caso.guion:
             orden += ["-guion", caso.guion]
-        suyo = {"LAB_LEIDOS": leidos, "LAB_SUAVIZA": "1"}
-        escrito = ejecuta(orden, cwd=temporal, env={**os.environ, **suyo}).decode(errors="replace")
+        suyo = {**os.environ, "LAB_LEIDOS": leidos}
+        try:
+            escrito = ejecuta(orden, cwd=temporal, env={**suyo, "LAB_SUAVIZA": "1"}).decode(errors="replace")
+        except Fallo:  # en Mesa 25.0, con EGL, glReadPixels no lee una ventana con muestras
+            escrito = ejecuta(orden, cwd=temporal, env=suyo).decode(errors="replace")
         caso.ventana, caso.salida = lo_suyo(escrito)
         if caso.guion and caso.salida:
             caso.salida = lo_suyo(ejecuta([*orden, "-diario"], cwd=temporal).decode(errors="replace"), True)[1]
