@@ -97,7 +97,9 @@ class Galeria:
         suyo = {**os.environ, "LAB_LEIDOS": leidos}
         try:
             escrito = ejecuta(orden, cwd=temporal, env={**suyo, "LAB_SUAVIZA": "1"}).decode(errors="replace")
-        except Fallo:  # en Mesa 25.0, con EGL, glReadPixels no lee una ventana con muestras
+        except Fallo as fallo:  # en Mesa 25.0, con EGL, no lee una ventana con muestras
+            if "glReadPixels" not in str(fallo):
+                raise
             escrito = ejecuta(orden, cwd=temporal, env=suyo).decode(errors="replace")
         caso.ventana, caso.salida = lo_suyo(escrito)
         if caso.guion and caso.salida:
