@@ -1,10 +1,11 @@
 // Contexto sobre EGL sin ventana: Mesa 25.1 y posteriores, que ya no traen OSMesa (EGL_MESA_platform_surfaceless), y
 // otros controladores en una máquina sin pantalla (EGL_EXT_platform_device). El framebuffer es un pbuffer.
+#include "contexto.h"
 #include "error.h"
 #include "texto.h"
-#include "contexto.h"
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
+#include <GL/gl.h>
 #include <cstdio>
 
 namespace sin_ventana {
@@ -40,6 +41,13 @@ void abrePantalla() {
             return;
     fallaEgl(
         "no tiene una plataforma sin ventanas (EGL_MESA_platform_surfaceless o EGL_EXT_platform_device)");
+}
+
+// Mesa 25.0 da un pbuffer con muestras y no deja leerlo: todo saldría vacío.
+bool seLee() {
+    unsigned char rgba[4];
+    glReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, rgba);
+    return glGetError() == GL_NO_ERROR;
 }
 
 } // namespace
@@ -78,7 +86,11 @@ int creaContexto(int ancho, int alto, bool profundidad, bool plantilla, bool mue
     cambiaTallaContexto(ancho, alto);
     EGLint suyas = 0;
     eglGetConfigAttrib(pantalla, configuracion, EGL_SAMPLES, &suyas);
-    return suyas;
+    if (suyas == 0 || seLee())
+        return suyas;
+    destruyeContexto();
+    configuracion = nullptr;
+    return creaContexto(ancho, alto, profundidad, plantilla, false);
 }
 
 void cambiaTallaContexto(int ancho, int alto) {

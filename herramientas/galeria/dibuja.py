@@ -94,13 +94,8 @@ class Galeria:
             orden += ["-titulos", "-", "-geometry", TALLA, "-ppm", ppm]
         if caso.guion:
             orden += ["-guion", caso.guion]
-        suyo = {**os.environ, "LAB_LEIDOS": leidos}
-        try:
-            escrito = ejecuta(orden, cwd=temporal, env={**suyo, "LAB_SUAVIZA": "1"}).decode(errors="replace")
-        except Fallo as fallo:  # en Mesa 25.0, con EGL, no lee una ventana con muestras
-            if "glReadPixels" not in str(fallo):
-                raise
-            escrito = ejecuta(orden, cwd=temporal, env=suyo).decode(errors="replace")
+        suyo = {"LAB_LEIDOS": leidos, "LAB_SUAVIZA": "1"}
+        escrito = ejecuta(orden, cwd=temporal, env={**os.environ, **suyo}).decode(errors="replace")
         caso.ventana, caso.salida = lo_suyo(escrito)
         if caso.guion and caso.salida:
             caso.salida = lo_suyo(ejecuta([*orden, "-diario"], cwd=temporal).decode(errors="replace"), True)[1]
