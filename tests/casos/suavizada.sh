@@ -7,7 +7,7 @@ imagen=$(mktemp)
 trap 'rm -f "$imagen"' EXIT
 colores() { "$1" -geometry 240x180 -ppm "$imagen" >/dev/null && ppmhist -noheader "$imagen" | wc -l; }
 for capitulo in "$1"/egl/ch*; do
-  programa=$(find "$capitulo" -type f -executable -name '[a-h]*' | sort | head -n 1)
+  programa=$(find "$capitulo" -type f -executable -name '[a-h]*' | sort | sed -n 1p)
   con=$(LAB_SUAVIZA=1 colores "$programa") sin=$(colores "$programa")
   ((con >= sin)) || { echo "$programa: $con colores y, sin suavizar, $sin" && estado=1; }
 done
