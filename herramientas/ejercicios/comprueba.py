@@ -145,9 +145,8 @@ class Comprobacion:
     def nota(self, jugado, piezas=lambda *_: ()):
         """La que se le daría; si no sale todo, con lo que valgan sus piezas."""
         esperadas, suyas = ({g: par[i] for g, par in jugado.items()} for i in (0, 1))
-        fallan, casi, otros = veredicto.juzga(self.arbitro, esperadas, suyas)
-        bien = [g for g in jugado if g not in fallan]
-        return veredicto.nota(jugado, bien, casi, otros, self.reglas, piezas(esperadas, suyas) if fallan else ())
+        fallan, valen, otros = veredicto.juzga(self.banco, esperadas, suyas, self.banco.sin_hacer)
+        return veredicto.nota(jugado, valen, otros, self.reglas, piezas(esperadas, suyas) if fallan else ())
 
     def piezas_con(self, m):
         """Lo que valen las de la solución con ese error, que está en una o en ninguna."""

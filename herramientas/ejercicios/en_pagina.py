@@ -64,12 +64,17 @@ def corrige(raiz, build, programa, ref, cuantos=None):
     todos = guiones(raiz, build, programa, ref, SEMILLA, suyas, {})
     ordenes = {o.partition(" ×")[0] for g in todos for o in g.ordenes}
     return {
-        "guiones": [{"nombre": g.nombre, "ordenes": g.ordenes, "vale": suyas.peso(g)} for g in todos],
+        "guiones": [de_guion(g, suyas) for g in todos],
         "palabras": {o: en_palabras(o) for o in sorted(ordenes)},
         "reglas": asdict(suyas) | {"dichas": suyas.en_palabras},
         **piezas(raiz, programa, ref, suyas),
         "errores": errores(raiz, programa, ref),
     }
+
+
+def de_guion(guion, reglas_):
+    dicho = {"nombre": guion.nombre, "ordenes": guion.ordenes, "pesa": reglas_.peso(guion)}
+    return dicho | ({"suyas": guion.suyas} if guion.caso else {})
 
 
 def errores(raiz, programa, ref):

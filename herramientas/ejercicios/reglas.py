@@ -19,14 +19,15 @@ NUMERO = "[0-9]{1,4}(?:[.,][0-9]{1,3})?"
 @dataclass(frozen=True)
 class Reglas:
     """Los pesos; cuántos guiones son al azar; con qué tolerancia son la misma dos imágenes; de cada cien puntos, los
-    que da una que se ve casi igual y los que quita, una vez, lo que no es la imagen; y la escala, si se califica con
-    palabras."""
+    que da una que se ve casi igual, los que da un caso que se ve bien y falla al seguirlo y los que quita, una vez, lo
+    que no es la imagen; y la escala, si se califica con palabras."""
 
     caso: float = 2
     azar: float = 1
     guiones: int = 24
     tolerancia: str = "amplia"
     casi: float = 50
+    medias: float = 50
     titulo: float = 5
     texto: float = 20
     estado: float = 5
@@ -72,7 +73,7 @@ class Reglas:
         )
         return (
             f"guiones: los casos, {self.caso:g} cada uno; {al_azar}; tolerancia {self.tolerancia}; lo casi igual, "
-            f"{self.casi:g} %; quitan, de 100, el título {self.titulo:g}, el texto {self.texto:g} y el estado con que "
+            f"{self.casi:g} %; un caso que se ve bien y falla al seguirlo, {self.medias:g} %; quitan, de 100, el título {self.titulo:g}, el texto {self.texto:g} y el estado con que "
             f"acaba {self.estado:g}; de lo que no es 100, las piezas, cada una por su cuenta, {self.huecos:g} %"
             f"{f', con pesos {self.pesos}' if numeros(self.pesos) else ''}"
             f"{', y nunca menos de lo que pesan las que están bien' if self.huecos else ''}"

@@ -68,8 +68,9 @@ export class Correccion {
     }
     const compilado = compilacion.modulo(ejercicio.programa, ejercicio.taller, ejercicio);
     const corrector = await ejercicio.corrector(sigue, await ejercicio.taller.escritos(), compilado);
-    const hecha = await corrector.corrige((n, de) => this.#pon(linea(`Corrigiendo: ${n + 1} de ${de} guiones…`)));
     const datos = await deEjercicio(ejercicio.codigo), arranca = this.#arranca(ejercicio);
+    const avanza = (n, de) => this.#pon(linea(`Corrigiendo: ${n + 1} de ${de} guiones…`));
+    const hecha = await corrector.corrige({ avanza, hazNada: () => arranca(datos.esqueleto) });
     Object.assign(hecha, await this.#piezas(ejercicio, datos, arranca, corrector, hecha));
     if (hecha.nota === 100) ejercicio.resuelve();
     const resumen = this.#resumen(hecha), fallo = [];
@@ -146,8 +147,10 @@ export class Correccion {
   #resumen({ nota, guiones, otros, reglas, piezas, entero }) {
     const cuantos = parecido => guiones.filter(g => g.parecido === parecido).length, casi = cuantos(CASI);
     const bien = `${cuantos(BIEN)} de los ${guiones.length} guiones dan lo mismo`;
+    const aMedias = guiones.filter(g => g.aMedias).length;
     return [
-      linea(crea('b', { textContent: cifra(nota) }), ` de 100: ${bien}${casi ? `; ${casi}, casi` : ''}.`),
+      linea(crea('b', { textContent: cifra(nota) }), ` de 100: ${bien}${casi ? `; ${casi}, casi` : ''}`,
+        aMedias ? `; ${aMedias} de los casos se ven bien, y fallan al tocar algo más.` : '.'),
       ...piezas ? [linea(`Pieza a pieza: ${dichas(piezas)}.`)] : [],
       ...entero ? [linea(`La nota es la de lo entero, y no pieza a pieza: ${entero}.`)] : [],
       ...Object.entries(otros).filter(([que]) => que !== 'estado').map(([, dice]) => linea(`${dice}.`)),

@@ -136,25 +136,33 @@ export class Corrector {
   }
 
   /// Todos los guiones, jugados por lo que arranca así: { nota, la de lo entero; guiones, con lo de cada uno; otros, lo
-  /// que cuenta una vez; reglas }. `avanza(n, de)` según se juegan.
-  async corrige(avanza = () => {}, suyo = this.suyo) {
+  /// que cuenta una vez; reglas }. `avanza(n, de)` según se juegan; `hazNada()` dice cómo arranca lo de partida.
+  async corrige({ avanza = () => {}, suyo = this.suyo, hazNada = () => {} } = {}) {
     const guiones = this.guiones.map(g => ({ ...g }));
     let otros = {}, cuelgan = 0;
     for (const [i, guion] of guiones.entries()) {
       avanza(i, guiones.length);
       const debe = await this.esperada(guion.ordenes);
       const { aparte: suyas, ...hecho } = await this.compara(debe, await this.juega(suyo, guion.ordenes));
-      Object.assign(guion, hecho);
+      Object.assign(guion, hecho, { aMedias: await this.#aMedias({ ...guion, ...hecho }, debe, hazNada) });
       otros = { ...suyas, ...otros };
       if (hecho.cuelga && ++cuelgan >= CUELGUES) break;
     }
     return { nota: nota(guiones, otros, this.reglas), guiones, otros, reglas: this.reglas };
   }
 
+  /// Si es un caso que falla al seguirlo y lo suyo se ve bien, y en lo de partida no.
+  async #aMedias({ parecido, suyas, ordenes, partida }, debe, hazNada) {
+    const bien = async ({ imagenes }) => await this.seParecen(debe.imagenes[suyas], imagenes[suyas]) === BIEN;
+    if (parecido || suyas === undefined || !this.reglas.medias || !await bien(partida)) return false;
+    const nada = await hazNada();
+    return Boolean(nada) && !await bien(await this.juega(nada, ordenes.slice(0, suyas)));
+  }
+
   /// Lo que vale lo que arranca así: { parte, de 0 a 1; guiones }. 0 si hace lo mismo que lo que arranca como diga
   /// `hazNada()`, si lo hay.
   async parte(suyo, hazNada) {
-    const { guiones } = await this.corrige(undefined, suyo), suya = parte(guiones, this.reglas);
+    const { guiones } = await this.corrige({ suyo, hazNada }), suya = parte(guiones, this.reglas);
     const nada = suya < 1 && await hazNada();
     let esNada = Boolean(nada);
     for (const { ordenes, partida } of guiones)
@@ -165,7 +173,7 @@ export class Corrector {
   /// Del guion que antes falla: { ordenes, las que bastan; cómo se dice; pixel, el que más se aparta, de la ventana de
   /// siempre; con qué error, qué ha dicho, y si es casi igual }.
   async primero(guiones) {
-    const falla = guiones.filter(g => g.parecido < BIEN).sort((a, b) => a.en - b.en || b.vale - a.vale)[0];
+    const falla = guiones.filter(g => g.parecido < BIEN).sort((a, b) => a.en - b.en || b.pesa - a.pesa)[0];
     if (!falla) return undefined;
     let ultimo = falla, ordenes = falla.ordenes.slice(0, falla.en);
     const seAparta = async ordenes => {

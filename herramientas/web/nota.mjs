@@ -32,11 +32,12 @@ export const acabaMal = (esperada, { estado, cuelga }) =>
 
 const suma = numeros => numeros.reduce((a, b) => a + b, 0);
 
-/// La de los guiones que salen bien, con lo que vale cada uno: de 0 a 1. De cada guion jugado, `parecido`; de los que
-/// no, nada.
+/// La de los guiones, con lo que pesa cada uno: de 0 a 1. De cada guion jugado, `parecido` y, si es un caso que se ve
+/// bien y falla al seguirlo, `aMedias`; de los que no, nada.
 export function parte(guiones, reglas) {
-  const valen = parecido => suma(guiones.filter(g => g.parecido === parecido).map(g => g.vale));
-  return (valen(BIEN) + reglas.casi / 100 * valen(CASI)) / suma(guiones.map(g => g.vale));
+  const valen = { [BIEN]: 1, [CASI]: reglas.casi / 100 };
+  const vale = g => valen[g.parecido] ?? (g.aMedias ? reglas.medias / 100 : 0);
+  return suma(guiones.map(g => g.pesa * vale(g))) / suma(guiones.map(g => g.pesa));
 }
 
 /// Esa, junto con la de cada pieza, si se sabe, y sin lo que quita lo demás. Con un fallo que cueste algo no es 100.

@@ -19,8 +19,9 @@ from base.procesos import Fallo
 from ejercicios import comprueba, en_pagina, nuevo, perturba, propios, reglas
 from ejercicios.corrige import clase as de_clase
 from ejercicios.corrige import informes, shaders, veredicto
+from ejercicios.corrige.arbitro import Arbitro
 from ejercicios.corrige.banco import Banco
-from ejercicios.corrige.partidas import Guion
+from ejercicios.corrige.partidas import Guion, Partida
 from ejercicios.reglas import Reglas
 from mentira import siembra
 from sin_pruebas_test import sin_pruebas
@@ -139,7 +140,7 @@ def test_en_la_pagina_va_lo_que_se_reparte_y_no_la_solucion(tmp_path, monkeypatc
     assert (
         resumen["oculto"] and resumen["que"] == "Un molinete" and [*resumen["pide"]] == ["mios/molinete/molinete.cpp"]
     )
-    assert [g["vale"] for g in datos["guiones"]] == [3, 3, 3, 1, 1] and datos["palabras"]["tecla g"] == "pulsa g"
+    assert [g["pesa"] for g in datos["guiones"]] == [3, 3, 3, 1, 1] and datos["palabras"]["tecla g"] == "pulsa g"
 
 
 CPP, ERRORES = FICHEROS["molinete.cpp"], FICHEROS["errores.tsv"]
@@ -430,23 +431,26 @@ def test_lo_que_se_da_y_lo_que_no(tmp_path):
 
 # --- las reglas -------------------------------------------------------------------------------------------------
 
-CASO, AZAR = Guion("caso", (), True), Guion("al azar", ())
+CASO, AZAR = Guion("caso", ("tecla a",), True), Guion("al azar", ("tecla a",))
 OTRAS = {"caso": 5.5, "azar": 4.5, "guiones": 3, "tolerancia": "otro", "casi": 80.5}
 OTRAS |= {"titulo": 11.5, "texto": 12.5, "estado": 13.5, "huecos": 70.5, "pesos": "2 3"}
-OTRAS |= {"cuesta_mas": 45.5, "semillas": "3 5", "escala": "0 Mal; 50 Bien"}
-SITUACIONES = {  # los guiones que salen bien, los que salen por poco, y lo demás que falla
-    "falla un caso": ([AZAR], [], {}),
-    "falla uno al azar": ([CASO], [], {}),
-    "casi": ([CASO], [AZAR], {}),
-    **{f"el {que}": ([CASO, AZAR], [], {que: "mal"}) for que in ("título", "texto", "estado")},
-    "una pieza": ([CASO], [], {}, [1, 0.5]),
+OTRAS |= {"medias": 60.5, "cuesta_mas": 45.5, "semillas": "3 5", "escala": "0 Mal; 50 Bien"}
+SE_VE = {"bien": "bb", "casi": "cc", "a medias": "bm", "mal": "mm", "de partida": "pp"}  # al empezar y tras la tecla
+SITUACIONES = {  # cómo sale cada guion, y lo demás que falla
+    "falla un caso": ("mal", "bien", {}),
+    "falla uno al azar": ("bien", "mal", {}),
+    "casi": ("bien", "casi", {}),
+    "a medias": ("a medias", "bien", {}),
+    **{f"el {que}": ("bien", "bien", {que: "mal"}) for que in ("título", "texto", "estado")},
+    "una pieza": ("bien", "mal", {}, [1, 0.5]),
 }
 CAMBIA = {  # lo que cambia cada una
-    "caso": {"falla un caso", "falla uno al azar", "casi", "una pieza"},
-    "azar": {"falla un caso", "falla uno al azar", "casi", "una pieza"},
+    "caso": {"falla un caso", "falla uno al azar", "casi", "a medias", "una pieza"},
+    "azar": {"falla un caso", "falla uno al azar", "casi", "a medias", "una pieza"},
     "guiones": set(),
     "tolerancia": set(),
     "casi": {"casi"},
+    "medias": {"a medias"},
     "titulo": {"el título"},
     "texto": {"el texto"},
     "estado": {"el estado"},
@@ -463,9 +467,24 @@ def test_cada_regla_cambia_lo_suyo(tmp_path):
     assert documento == [(f.name, str(f.default)) for f in dataclasses.fields(Reglas)]
     assert OTRAS.keys() == CAMBIA.keys() == dict(documento).keys()
 
-    def notas(r):
-        return {s: veredicto.nota([CASO, AZAR], *que[:3], r, *que[3:]) for s, que in SITUACIONES.items()}
+    parecidas = {("b", "b"): 1, ("b", "c"): 0.5}
+    arbitro = SimpleNamespace(parecido=lambda una, otra: parecidas.get((una, otra), 0))
+    arbitro.difiere = lambda *p: Arbitro.difiere(arbitro, *p)
+    jugada = lambda como: Partida([*SE_VE[como]], [], "", 0, "")
+    arbitro.juega = lambda de_nada, *_: jugada(de_nada)
+    bien = {g: jugada("bien") for g in (CASO, AZAR)}
 
+    def nota(r, caso, azar, otros, *piezas, de_nada="de partida"):
+        banco = SimpleNamespace(arbitro=arbitro, reglas=r)
+        _, valen, _ = veredicto.juzga(banco, bien, {CASO: jugada(caso), AZAR: jugada(azar)}, lambda: de_nada)
+        return veredicto.nota([CASO, AZAR], valen, otros, r, *piezas)
+
+    def notas(r):
+        return {s: nota(r, *que) for s, que in SITUACIONES.items()}
+
+    # un caso que se ve bien sin hacer nada no vale; ni es de un caso lo de uno al azar
+    for como, de_nada in (("a medias", "bien"), ("a medias", "a medias"), ("a medias", None)):
+        assert nota(Reglas(), como, "a medias", {}, de_nada=de_nada) == 0
     base = notas(Reglas())
     for clave, valor in OTRAS.items():
         for escrito in (str(valor), str(valor).replace(".", ",")):
@@ -475,7 +494,7 @@ def test_cada_regla_cambia_lo_suyo(tmp_path):
         assert {s for s, nota in notas(otra).items() if nota != base[s]} == CAMBIA[clave], clave
         es_de_la_nota = clave not in ("cuesta_mas", "semillas")
         assert (otra.en_palabras != Reglas().en_palabras and str(valor) in otra.en_palabras) == es_de_la_nota
-    assert veredicto.nota([CASO], [CASO], [], {"título": "mal"}, Reglas(titulo=0)) == 100
+    assert nota(Reglas(titulo=0), "bien", "bien", {"título": "mal"}) == 100
     assert reglas.del_programa(SimpleNamespace(raices=[]), guiones=3) == Reglas(guiones=3)
 
 

@@ -430,17 +430,20 @@ from ejercicios.reglas import Reglas
 azar, casos = random.Random(1), []
 for _ in range(2000):
     cuesta = lambda: azar.choice([0, 0.04, 12.5, 20])
-    reglas = Reglas(azar.choice([1, 2, 3.5]), azar.choice([0.5, 1]), 24, "amplia", azar.choice([0, 30, 50, 100]),
+    casi, medias = azar.choice([0, 30, 50, 100]), azar.choice([0, 50, 70])
+    reglas = Reglas(azar.choice([1, 2, 3.5]), azar.choice([0.5, 1]), 24, "amplia", casi, medias,
                     cuesta(), cuesta(), cuesta())
     todos = [Guion(str(i), (), azar.random() < 0.3) for i in range(azar.randint(1, 12))]
-    son = {g: azar.choice([1, 1, 1, 0.5, 0]) for g in todos}
+    son = {g: azar.choice([1, 1, 1, 0.5, 0, "a medias"]) for g in todos}
+    valen = {1: 1, 0.5: casi / 100, 0: 0, "a medias": medias / 100}
     partida = lambda: SimpleNamespace(titulos=azar.choices("ab", k=azar.randint(0, 2)), estado=azar.choice([0, 0, 3]),
                                       texto="\\n".join(azar.choices(["a", "b", "ab", ""], k=azar.randint(0, 3))))
     debe, es = partida(), partida()
     otros = arbitro.aparte(debe, es)
-    cuales = lambda cuanto: [g for g in todos if son[g] == cuanto]
-    casos.append([[{"vale": reglas.peso(g), "parecido": son[g]} for g in todos], vars(debe), vars(es), asdict(reglas),
-                  [*otros.values()], veredicto.nota(todos, cuales(1), cuales(0.5), otros, reglas)])
+    salen = [{"pesa": reglas.peso(g), "parecido": 0, "aMedias": True} if son[g] == "a medias" else
+             {"pesa": reglas.peso(g), "parecido": son[g], "aMedias": False} for g in todos]
+    casos.append([salen, vars(debe), vars(es), asdict(reglas),
+                  [*otros.values()], veredicto.nota(todos, {g: valen[son[g]] for g in todos}, otros, reglas)])
 print(json.dumps(casos))`);
   const enLineas = p => ({ ...p, texto: p.texto.split('\n') });
   for (const [guiones, debe, es, reglas, otros, suya] of casos) {

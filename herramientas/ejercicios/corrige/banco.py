@@ -58,6 +58,10 @@ class Banco:
         entorno["MESA_DISK_CACHE_SINGLE_FILE"] = "1"  # que se copia para cada partida
         return Recinto(self.temporal, jaula, entorno)
 
+    def sin_hacer(self):
+        """Quien juega el punto de partida."""
+        return self.motivos.variantes()[0][1]
+
     @functools.cached_property
     def donde(self):
         return Donde(self)

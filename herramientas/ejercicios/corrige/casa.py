@@ -1,5 +1,6 @@
 """Corregir en casa: lo que juega la solución de un ejercicio de quien enseña, grabado, va con lo que se reparte, y
 donde no está ella se compara con eso. No lleva nada de su texto."""
+import functools
 import json
 import lzma
 import os
@@ -117,7 +118,7 @@ class BancoDeCasa(Banco):
         self.arbitro = ArbitroDeCasa(build, self.compilador, recinto, temporal, puntua.tolerancia)
         self.arbitro.grabadas, al_azar = {}, 0
         for g in grabado[self.semilla]:
-            guion = Guion(g["nombre"], tuple(g["ordenes"]), g["caso"])
+            guion = Guion(g["nombre"], tuple(g["ordenes"]), g["caso"], g.get("suyas", len(g["ordenes"])))
             al_azar += not guion.caso
             if puntua.peso(guion) and (guion.caso or al_azar <= puntua.guiones):
                 imagenes = [datos["imagenes"][i] for i in g["partida"]["imagenes"]]
@@ -129,3 +130,7 @@ class BancoDeCasa(Banco):
         self.clave = suma(repr(datos["semillas"]), *(i[2] for i in datos["imagenes"]))
         self.motivos = SimpleNamespace(por_que=lambda *_: [], trozos=lambda: [])
         self.__dict__["donde"] = SimpleNamespace(busca=lambda *_: None)
+
+    @functools.cache
+    def sin_hacer(self):
+        return self.compilador.compila(self.de_partida[0], self.temporal / "de_partida")

@@ -33,6 +33,7 @@ class Guion:
     nombre: str
     ordenes: tuple
     caso: bool = False
+    suyas: int = 0  # de un caso, cuántas órdenes son las del catálogo: las demás las siguen
 
     @property
     def texto(self):
@@ -118,7 +119,8 @@ def guiones_al_azar(clave, n, mandos, sucesos):
 
 def de_los_casos(programa, tras=FINAL):
     for caso in programa.casos:
-        yield Guion(caso.nombre, (*(o.strip() for o in caso.guion.split(";") if o.strip()), *tras), True)
+        suyas = [o.strip() for o in caso.guion.split(";") if o.strip()]
+        yield Guion(caso.nombre, (*suyas, *tras), True, len(suyas))
 
 
 def al_azar(raiz, build, programa, clave, n, entorno):

@@ -75,40 +75,55 @@ def distintos(esperada, obtenida):
     return max((sum(a != b for a, b in zip(una[2], otra[2])) for una, otra in pares), default=0)
 
 
-def juzga(arbitro, esperadas, partidas):
-    """En qué imagen falla cada guion, los que fallan por poco y lo que cuenta una vez, no en cada guion."""
+def juzga(banco, esperadas, partidas, de_nada):
+    """En qué imagen falla cada guion, lo que vale cada uno, de 0 a 1, y lo que cuenta una vez, no en cada guion. De un
+    caso que falla al seguirlo cuenta lo suyo, si se ve bien y lo que juega DE_NADA() no."""
+    arbitro, reglas = banco.arbitro, banco.reglas
     donde = {g: arbitro.difiere(esperadas[g], p) for g, p in partidas.items()}
     fallan = {g: i for g, i in donde.items() if i is not None}
-    casi = [g for g in fallan if arbitro.difiere(esperadas[g], partidas[g], CASI) is None]
+
+    def empieza_bien(g, p):
+        imagen = esperadas[g].imagenes[g.suyas]
+        return len(p.imagenes) > g.suyas and arbitro.parecido(imagen, p.imagenes[g.suyas]) == BIEN
+
+    def vale(g, p):
+        if g not in fallan:
+            return 1
+        if arbitro.difiere(esperadas[g], p, CASI) is None:
+            return reglas.casi / 100
+        if reglas.medias and g.caso and empieza_bien(g, p) and (nada := de_nada()):
+            return 0 if empieza_bien(g, arbitro.juega(nada, g, esperadas[g])) else reglas.medias / 100
+        return 0
+
+    valen = {g: vale(g, p) for g, p in partidas.items()}
     otros = {}
     for g, p in partidas.items():
         if len(p.imagenes) == len(esperadas[g].imagenes):
             otros = {**aparte(esperadas[g], p), **otros}
-    return fallan, casi, otros
+    return fallan, valen, otros
 
 
-def parte(todos, bien, casi, reglas):
-    """La de los guiones que salen bien, de 0 a 1, con lo que vale cada uno; es 1 solo si valen todos."""
-    valen = {g: reglas.peso(g) for g in todos}
-    return (sum(valen[g] for g in bien) + reglas.casi / 100 * sum(valen[g] for g in casi)) / sum(valen.values())
+def parte(todos, valen, reglas):
+    """La de los guiones jugados, con lo que VALEN y lo que pesa cada uno, de 0 a 1."""
+    return sum(reglas.peso(g) * valen.get(g, 0) for g in todos) / sum(map(reglas.peso, todos))
 
 
-def nota(todos, bien, casi, otros, reglas=Reglas(), piezas=()):
+def nota(todos, valen, otros, reglas=Reglas(), piezas=()):
     """Esa parte, junto con la de cada pieza, si se sabe, y sin lo que quita lo demás. Con un fallo que cueste algo no
     es 100."""
-    puntos = reglas.junta(parte(todos, bien, casi, reglas), piezas)
+    puntos = reglas.junta(parte(todos, valen, reglas), piezas)
     cuestan = sum(reglas.cuesta(que) for que in otros)
-    todo = len(bien) == len(todos) or reglas.casi == 100 and len(bien) + len(casi) == len(todos)
+    todo = all(valen.get(g) == 1 for g in todos)
     return min(round(puntos * (100 - cuestan), 1), 100 if todo and not cuestan else 99.9)
 
 
 def parte_de_pieza(banco, esperadas, partidas, sin_hacer):
     """La de la solución con esa pieza; 0, si deja lo mismo que SIN_HACER, que juega la solución sin ella."""
-    fallan, casi, _ = juzga(banco.arbitro, esperadas, partidas)
+    fallan, valen, _ = juzga(banco, esperadas, partidas, lambda: sin_hacer)
     es_de_nada = lambda g: banco.arbitro.difiere(banco.arbitro.juega(sin_hacer, g, esperadas[g]), partidas[g]) is None
     if fallan and sin_hacer and all(map(es_de_nada, partidas)):
         return 0
-    return parte(banco.todos, [g for g in partidas if g not in fallan], casi, banco.reglas)
+    return parte(banco.todos, valen, banco.reglas)
 
 
 def en_su_ventana(ordenes, pixel, talla):
@@ -173,7 +188,7 @@ class Correccion:
         if not self.hay_tiempo:
             raise SoloLoEntero("es muy lento")
         suya = parte_de_pieza(self.banco, self.esperadas, partidas, sin_hacer)
-        fallan = [] if suya == 1 else juzga(self.arbitro, self.esperadas, partidas)[0]
+        fallan = [] if suya == 1 else juzga(self.banco, self.esperadas, partidas, lambda: sin_hacer)[0]
         porque = self.banco.motivos.por_que(partidas, self.esperadas, fallan) if fallan else []
         return suya, ["; o ".join(filter(None, porque[:3]))] * any(porque)
 
@@ -190,7 +205,7 @@ class Correccion:
         todos, solucion = self.banco.todos, self.banco.compilador.solucion
         self.esperadas = {g: self.arbitro.juega(solucion, g) for g in todos}
         self.partidas = self.juega_todos(self.jugador)
-        fallan, casi, otros = juzga(self.arbitro, self.esperadas, self.partidas)
+        fallan, valen, otros = juzga(self.banco, self.esperadas, self.partidas, self.banco.sin_hacer)
         bien = [g for g in todos if g in self.partidas and g not in fallan]
         muestra = self.muestra(fallan)
         acaban = list(dict.fromkeys(filter(None, (self.como_acaba(g) for g in self.partidas))))
@@ -202,18 +217,20 @@ class Correccion:
             jugados = f"{len(self.partidas)} de los {len(todos)} guiones"
             dice.append(f"es muy lento: a los {TOPE // 60} minutos se ha dejado, con {jugados} jugados")
         if (fallan or otros) and not acaban:
-            dice += self.explica(fallan, casi, muestra)
+            dice += self.explica(fallan, muestra)
         dice += [como for que, como in otros.items() if que != "estado"]
         if fallan:
             dice += [f"el programa avisa: {a}" for a in self.avisos()[:AVISOS]]
+        if medias := [g.nombre for g in fallan if valen[g] and not self.es_casi(g)]:
+            dice.append(f"se ven bien, hasta que se toca algo más, los casos {', '.join(medias)}")
         casos = {g.nombre: g in bien for g in todos if g.caso}
         cuenta = {"bien": len(bien), "guiones": len(todos), "casos": casos, "dice": dice, "fallos": muestra}
-        todo = parte(todos, bien, casi, self.banco.reglas) == 1
+        todo = parte(todos, valen, self.banco.reglas) == 1
         piezas, entero = ([], "") if todo else self.por_piezas()
         if not any(d.startswith(PARECE) for d in dice) and COMO_AL_EMPEZAR not in dice:
             dice[:0] = [d for _, dicen in piezas for d in dicen]  # de varios errores a la vez, cada uno en su pieza
         partes = [suya for suya, _ in piezas]
-        suya = nota(todos, bien, casi, otros, self.banco.reglas, partes)
+        suya = nota(todos, valen, otros, self.banco.reglas, partes)
         piden = self.banco.motivos.trozos() if piezas else []
         de_cada = [{"pide": t["pide"], "nota": round(100 * p, 1)} for (_, t), p in zip(piden, partes)]
         return {"nota": suya, **cuenta, "piezas": de_cada, "entero": entero}
@@ -241,12 +258,15 @@ class Correccion:
         ]
         return [a for a in dichos[0] if a not in dichos[1]]
 
+    def es_casi(self, guion):
+        return self.arbitro.difiere(self.esperadas[guion], self.partidas[guion], CASI) is None
+
     def es_lo_de_partida(self):
         """Sin mirar los comentarios ni los blancos."""
         suyos = {*map(pelado, self.entrega.ficheros.values())}
         return all(pelado(texto) in suyos for texto in self.banco.de_partida[0].values())
 
-    def explica(self, fallan, casi, muestra):
+    def explica(self, fallan, muestra):
         if self.es_lo_de_partida():
             return [COMO_AL_EMPEZAR]
         porque = self.banco.motivos.por_que(self.partidas, self.esperadas, fallan)
@@ -254,7 +274,7 @@ class Correccion:
             return [COMO_AL_EMPEZAR]
         porque = [dice for dice in porque if dice]
         dice = ["; o ".join(porque[:3])] if porque else []
-        if not porque and fallan and len(casi) == len(fallan):
+        if not porque and fallan and all(map(self.es_casi, fallan)):
             return [f"{POR_POCO}{pocas_cifras(self.entrega.ficheros, self.banco.de_partida[0])}"]
         callan, alguna = no_responden(self.partidas, self.esperadas)
         if callan and not alguna:
