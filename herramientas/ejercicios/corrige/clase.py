@@ -26,13 +26,13 @@ def lee_resultado(fichero):
 
 
 def limpia(que, oculta):
-    """Lo mismo, con cada texto limpio y sin la carpeta en que se corrige. Las imágenes son nuestras."""
+    """Lo mismo, con cada texto limpio y sin la carpeta en que se corrige. Las imágenes y las reglas no son suyas."""
     if isinstance(que, str):
         return limpio(re.sub(re.escape(oculta) + r"[^\s:,»]*/", "", que))
     if isinstance(que, list):
         return [limpia(uno, oculta) for uno in que]
     if isinstance(que, dict):
-        return {clave: v if clave == "imagenes" else limpia(v, oculta) for clave, v in que.items()}
+        return {clave: v if clave in ("imagenes", "reglas") else limpia(v, oculta) for clave, v in que.items()}
     return que
 
 
