@@ -2,6 +2,7 @@
 // ./lab corrige (notas.py), con los mismos guiones.
 import assert from 'node:assert/strict';
 import { haceZip } from '../../herramientas/web/carpeta.mjs';
+import { redondea } from '../../herramientas/web/nota.mjs';
 import { dePython, enNavegadores } from './navegador.mjs';
 
 const pregunta = (que, ...datos) => dePython(`import json, sys
@@ -14,7 +15,7 @@ print(json.dumps(notas.${que}(Path(raiz), Path(build), *resto), default=lambda x
 async function nota(datos) {
   Object.assign(await pagina.deEjercicio(visto.ejercicio.codigo), datos);
   const { nota, piezas = [], dice = [] } = await pagina.correccion.hazla(visto.ejercicio) ?? {};
-  return [nota ?? una('.correccion').textContent, ...piezas.map(p => Math.round(1000 * p.parte) / 10),
+  return [nota ?? una('.correccion').textContent, ...piezas.map(p => 100 * p.parte),
     ...dice.filter(d => d.startsWith('parece '))];
 }
 
@@ -32,7 +33,7 @@ enNavegadores(['chromium'], Object.fromEntries(Object.keys(pregunta('programas')
     await p.abre(`#ejercicio/${codigo}`);
     for (const [nombre, { ficheros, nota: suya, piezas, dice }] of Object.entries(entregas)) {
       await suelta(p, ficheros);
-      notas[nombre] = await p.da(nota, datos);
+      notas[nombre] = (await p.da(nota, datos)).map(uno => Number.isFinite(uno) ? redondea(uno) : uno);
       debe[nombre] = [suya, ...piezas.map(p => p.nota), ...dice];
     }
     assert.deepEqual(notas, debe);
