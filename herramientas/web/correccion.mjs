@@ -147,10 +147,10 @@ export class Correccion {
   #resumen({ nota, guiones, otros, reglas, piezas, entero }) {
     const cuantos = parecido => guiones.filter(g => g.parecido === parecido).length, casi = cuantos(CASI);
     const bien = `${cuantos(BIEN)} de los ${guiones.length} guiones dan lo mismo`;
-    const aMedias = guiones.filter(g => g.aMedias).length;
+    const n = guiones.filter(g => g.aMedias).length;
+    const aMedias = n ? `; ${n > 1 ? `${n} casos se ven bien y fallan` : 'un caso se ve bien y falla'} al seguir` : '';
     return [
-      linea(crea('b', { textContent: cifra(nota) }), ` de 100: ${bien}${casi ? `; ${casi}, casi` : ''}`,
-        aMedias ? `; ${aMedias} de los casos se ven bien, y fallan al tocar algo más.` : '.'),
+      linea(crea('b', { textContent: cifra(nota) }), ` de 100: ${bien}${casi ? `; ${casi}, casi` : ''}${aMedias}.`),
       ...piezas ? [linea(`Pieza a pieza: ${dichas(piezas)}.`)] : [],
       ...entero ? [linea(`La nota es la de lo entero, y no pieza a pieza: ${entero}.`)] : [],
       ...Object.entries(otros).filter(([que]) => que !== 'estado').map(([, dice]) => linea(`${dice}.`)),
