@@ -117,4 +117,5 @@ def instala(paquetes, build):
         print(*registro.read_text().splitlines()[-5:], sep="\n", file=sys.stderr)
         raise Fallo(f"no se han podido instalar (¿hay red?): {' '.join(lista)}")
     if "Operation was interrupted" in registro.read_text():  # sudo se queda con el Ctrl+C y no nos llega
+        print("Interrumpido, con los paquetes ya puestos", file=sys.stderr)
         raise SystemExit(130)
