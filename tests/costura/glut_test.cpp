@@ -68,7 +68,25 @@ void abre(unsigned modo, std::vector<std::string> opciones = {}) {
     std::exit(0);
 }
 
+/// Acaba con las veces que se llama a la función de ocio: una tras cada orden, hasta que el programa termina.
+[[noreturn]] void cuentaOcios() {
+    static int ocios = 0;
+    abre(GLUT_DEPTH, {"-guion", "tecla a; tecla b ×2; tecla c", "-ppm", "/dev/null"});
+    glutDisplayFunc([] {});
+    glutIdleFunc([] { ++ocios; });
+    glutKeyboardFunc([](unsigned char tecla, int, int) {
+        if (tecla == 'c')
+            glutLeaveMainLoop();
+    });
+    glutMainLoop();
+    std::exit(ocios);
+}
+
 } // namespace
+
+TEST(Glut, LaFuncionDeOcioTrasCadaOrden) {
+    EXPECT_EXIT(cuentaOcios(), ExitedWithCode(3), "");
+}
 
 TEST(Glut, ComoElModelo) {
     std::istringstream partidas(leeFichero(recurso("tests/golden/costura/partidas.txt")));
