@@ -575,6 +575,9 @@ def test_cada_carpeta_con_otro_nombre(tmp_path):
         enunciado = carpeta / "ENUNCIADO.md"
         nombrados = re.findall("^- `(.+)`: ", enunciado.read_text(), re.M) if referencia else []
         assert bool(referencia) == bool(nombrados) and all((carpeta / f).is_file() for f in nombrados), pedido
+        if referencia:  # si no, se le diría que lo empezó con otra versión
+            hoy = nuevo.version(nuevo.esqueleto(RAIZ, nuevo.ejercicios(RAIZ, programas)[referencia], referencia))
+            assert entrega.lee_entrega(carpeta, referencia).version == hoy, pedido
         for fichero in carpeta.iterdir():
             marcas_ = re.findall(r"// (?:fin de )?([EL]\d+\.\d+)|// (de partida)", fichero.read_text())
             quedan = {m[0] or m[1] for m in marcas_ if fichero.suffix != ".md"}

@@ -97,9 +97,9 @@ def test_explica(lab):
     assert re.search(r"\n   1  borra color, profundidad · grua.cpp:\d+, dibuja: borrado → \(222, 237, 250\)\n", dicho)
     assert lab.deja("f.json", b'{\n "programa": "grua"')
     assert "muestraCuadro" in (lab.sitio / "explica/grua.html").read_text()
-    for fuera in ("240 179", "239 180"):
-        lab(f"explica grua {fuera} -geometry 240x180", 1, f"{fuera} está fuera de la ventana, de 240×180")
-    lab("explica grua 239 179 -geometry 240x180")
+    for fuera in ("1200 179", "1199 180"):
+        lab(f"explica grua {fuera} -geometry 1200x180", 1, f"{fuera} está fuera de la ventana, de 1200×180")
+    lab("explica grua 1199 179 -geometry 1200x180")
     lab("explica info_opengl", 1, "info_opengl escribe texto y no dibuja nada")
     lab("explica grua -guion 'tecla Esc'", 1, "¿pulsa Esc el guion?")
 
