@@ -73,6 +73,7 @@ const enLosDos = {
     await p.exige('Esc la cierra', () => !dialogo.open);
     await amplia(p, 'grua-girada');
     assert.equal(await cual(p), 'grua-girada');
+    await p.teclas('ArrowLeft'); // las que se pasan no son otros sitios a los que volver
     await p.da(() => history.back());
     await p.acaba('con «Atrás» se cierra', () => !dialogo.open);
     assert.equal(await cual(p), estaba, 'donde se estaba');
