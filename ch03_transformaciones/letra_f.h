@@ -1,5 +1,6 @@
 // La F de escalado y basicas: ni la simetría de una esfera ni la de un cubo, así que siempre se ve cómo está puesta. No
-// pasa por el origen: escalar o girar también la cambian de sitio. Sin OpenGL.
+// pasa por el origen: escalar o girar también la cambian de sitio. El brazo corto acaba en una cara inclinada, para que
+// un escalado no uniforme cambie una normal: las demás están en los ejes. Sin OpenGL.
 #pragma once
 #include "malla.h"
 
@@ -7,8 +8,8 @@ const glm::vec3 MINIMO_F(0.15f, 0.15f, -0.25f), MAXIMO_F(1.30f, 1.65f, 0.25f);
 
 /// Su contorno, en sentido antihorario, y los triángulos que lo llenan.
 const int LADOS_F = 10;
-const glm::vec2 CONTORNO_F[LADOS_F] = {{0.15f, 0.15f}, {0.55f, 0.15f}, {0.55f, 0.70f}, {1.05f, 0.70f},
-                                       {1.05f, 1.05f}, {0.55f, 1.05f}, {0.55f, 1.30f}, {1.30f, 1.30f},
+const glm::vec2 CONTORNO_F[LADOS_F] = {{0.15f, 0.15f}, {0.55f, 0.15f}, {0.55f, 0.70f}, {1.10f, 0.70f},
+                                       {1.00f, 1.05f}, {0.55f, 1.05f}, {0.55f, 1.30f}, {1.30f, 1.30f},
                                        {1.30f, 1.65f}, {0.15f, 1.65f}};
 const unsigned TRIANGULOS_F[8][3] = {{0, 1, 2}, {2, 3, 4}, {2, 4, 5}, {0, 2, 5},
                                      {0, 5, 6}, {0, 6, 9}, {6, 7, 8}, {6, 8, 9}};

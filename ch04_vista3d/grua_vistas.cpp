@@ -48,7 +48,7 @@ static void trazaReferencias(const std::vector<PanelVista> &paneles) {
     }
     abreRecuadro(v);
     glClear(GL_DEPTH_BUFFER_BIT); // delante de todo
-    trazaSegmentos({carga[ALZADO], carga[PLANTA], carga[ALZADO], carga[PERFIL]}, glm::mat4(1), MORADO, 3);
+    trazaSegmentos({carga[ALZADO], carga[PLANTA], carga[ALZADO], carga[PERFIL]}, glm::mat4(1), MORADO);
 }
 
 static void dibuja() {

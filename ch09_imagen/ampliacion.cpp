@@ -10,10 +10,10 @@
 #include "shader.h"
 #include "texto.h"
 #include "textura.h"
-#include "trazo.h"
 #include "ventana.h"
 
 static const int PASOS = 8; // hasta ×2⁴ y ×2⁻⁴: dos pasos duplican
+static const float TENUE = 0.3f;
 
 static struct {
     GLuint programa;
@@ -31,11 +31,16 @@ static void dibujaAmpliada(const Recuadro &panel, bool conProporcion, const std:
     glUseProgram(estado.programa);
     envia(estado.programa, "imagen", 0);
     const glm::vec2 justa = conProporcion ? proporcion(aspecto(imagen), aspecto(panel)) : glm::vec2(1);
+    if (factor < 1 && estado.muestra.rotulos) { // detrás y tenue, la de ×1
+        glEnable(GL_BLEND);
+        glBlendColor(0, 0, 0, TENUE);
+        glBlendFunc(GL_CONSTANT_ALPHA, GL_ONE_MINUS_CONSTANT_ALPHA);
+        envia(estado.programa, "escala", justa);
+        dibujaRectangulo();
+        glDisable(GL_BLEND);
+    }
     envia(estado.programa, "escala", factor * justa);
     dibujaRectangulo();
-    if (factor < 1 && estado.muestra.rotulos) // lo que ocupaba con ×1
-        trazaPolilinea({{-justa, 0}, {justa.x, -justa.y, 0}, {justa, 0}, {-justa.x, justa.y, 0}},
-                       glm::mat4(1), GRIS, GROSOR, true);
     rotulaImagen(estado.muestra, rotulo);
 }
 

@@ -114,17 +114,17 @@ static void dibujaRastro() {
     for (std::size_t i = 1; i < estado.rastro.size(); ++i)
         for (const std::size_t k : {i - 1, i})
             tramos[estado.rastro[i].arrastrando].push_back(normalizado(estado.rastro[k].lugar));
-    trazaSegmentos(tramos[0], glm::mat4(1), GRIS);
-    trazaSegmentos(tramos[1], glm::mat4(1), NARANJA, 2 * GROSOR);
+    trazaSegmentos(tramos[0], glm::mat4(1), GRIS, 1.5f * GROSOR);
+    trazaSegmentos(tramos[1], glm::mat4(1), NARANJA, 3 * GROSOR);
     if (!estado.rastro.empty())
-        trazaPuntos({normalizado(estado.rastro.back().lugar)}, glm::mat4(1), ROJO);
+        trazaPuntos({normalizado(estado.rastro.back().lugar)}, glm::mat4(1), ROJO, 5 * GROSOR);
 }
 
-// El ratón visto desde arriba, en un cuadrado a la derecha: los botones pulsados, en naranja.
+// El ratón visto desde arriba, en un cuadrado arriba a la derecha: los botones pulsados, en naranja.
 static void dibujaRaton() {
     const Recuadro v = ventanaEntera();
-    const int lado = int(0.32f * altoUtil());
-    abreRecuadro({v.ancho - lado, (v.alto - lado) / 2, lado, lado});
+    const int lado = int(0.46f * altoUtil());
+    abreRecuadro({v.ancho - lado, v.alto - lado, lado, lado});
     const auto caja = [](float x0, float y0, float x1, float y1, const glm::vec3 &color) {
         trazaPoligono({{x0, y0, 0}, {x1, y0, 0}, {x1, y1, 0}, {x0, y1, 0}}, glm::mat4(1), color);
     };

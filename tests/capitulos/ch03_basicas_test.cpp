@@ -38,15 +38,12 @@ Panel ventana(const Vista &v, const Encuadre &e, const Mirada &mirada = {}) {
 /// Un factor cero no tiene inversa, y con uno tan pequeño se ve lo mismo.
 const double APLASTADO = 1e-6;
 
-/// El palo y los dos brazos, transformados.
+/// El palo y los dos brazos, transformados. El corto acaba en bisel, 0.1 en 0.35; su otro lado está dentro del palo.
 Escena efe(const Mat4 &M) {
-    const Vec3 cajas[][2] = {{{0.35, 0.9, 0}, {0.4, 1.5, 0.5}}, // centro y lados
-                             {{0.925, 1.475, 0}, {0.75, 0.35, 0.5}},
-                             {{0.8, 0.875, 0}, {0.5, 0.35, 0.5}}};
-    Escena escena;
-    for (const auto &[centro, lados] : cajas)
-        escena.push_back(caja(M * traslada(centro) * escala(lados)));
-    return escena;
+    const Mat4 inclina{{{1, -0.1 / 0.35, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}};
+    return {caja(M * traslada({0.35, 0.9, 0}) * escala({0.4, 1.5, 0.5})), // centro y lados
+            caja(M * traslada({0.925, 1.475, 0}) * escala({0.75, 0.35, 0.5})),
+            caja(M * traslada({0.775, 0.875, 0}) * inclina * escala({0.55, 0.35, 0.5}))};
 }
 
 // --- basicas ---

@@ -177,13 +177,15 @@ TEST(Antialiasing, CoberturaContraElAreaExacta) {
 
 // --- ampliacion ---
 
-// Un rectángulo rojo de 40 × 20 en ventanas de varias formas y factores, de ×16 a ×1/16: lo que mide en píxeles.
+// Un rectángulo rojo de 40 × 20 en ventanas de varias formas y factores: lo que mide, y el de ×1, tenue, con rótulos.
 TEST(Ampliacion, LoQueMideEnPixeles) {
     const std::vector<std::string> roja = enFicheros({lisa(40, 20, {255, 0, 0})});
-    const auto mide = [](const Imagen &i, int ancho, int alto) {
+    const auto mide = [](const Imagen &i, int ancho, int alto, int detras = 0) {
         const auto esperado = [&](int x, int y) {
-            const bool dentro = std::abs(2 * x + 1 - i.ancho) < ancho && std::abs(2 * y + 1 - i.alto) < alto;
-            return dentro ? Vec3{255, 0, 0} : color(FONDO_OSCURO);
+            const Vec3 rojo{255, 0, 0}, fondo = color(FONDO_OSCURO);
+            const int dx = std::abs(2 * x + 1 - i.ancho), dy = std::abs(2 * y + 1 - i.alto);
+            const Vec3 fuera = dx < detras && 2 * dy < detras ? 0.3 * rojo + 0.7 * fondo : fondo;
+            return dx < ancho && dy < alto ? rojo : fuera;
         };
         EXPECT_LE(diferenciaMaxima(i, esperado), REDONDEO);
     };
@@ -198,6 +200,7 @@ TEST(Ampliacion, LoQueMideEnPixeles) {
         SCOPED_TRACE(guion);
         mide(vistaDe("ampliacion", guion, ancho, alto, roja).escena, anchoRojo, altoRojo);
     }
+    mide(vistaDe("ampliacion", "tecla r; tecla - ×2", 80, 80, roja).escena, 40, 20, 80);
     const Imagen las2 = vistaDe("ampliacion", "tecla v", 161, 80, roja).escena;
     mide(oraculo::recorta(las2, 0, 0, 80, 80), 80, 80);
     mide(oraculo::recorta(las2, 81, 0, 80, 80), 80, 40);
