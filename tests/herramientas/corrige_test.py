@@ -17,6 +17,7 @@ import tempfile
 import time
 import xml.etree.ElementTree as xml
 import zipfile
+from collections import Counter
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -973,6 +974,8 @@ def comprueba_pagina(pagina, todas):
     """Dice de todas lo que han sacado, y lleva a la de cada uno; en qué se equivocan, y quiénes se parecen."""
     notas = [c["nota"] for c in todas.values()]
     assert f"{len(notas)} entregas; de media, {sum(notas) / len(notas):.3g}." in pagina
+    barras = re.findall(r"(\d+)(?:–\d+)?, (\d+)", re.search('Cuántas hay de cada nota: ([^"]*)', pagina)[1])
+    assert {int(desde): int(n) for desde, n in barras} == Counter(int(nota // 10) * 10 for nota in notas)
     filas = re.findall(r'<tr><td><a href="(.*)">([^<]+)</a></td>\s*<td class="nota(?: mal)?">([\d.]+)</td>', pagina)
     debe = {(f"comentarios/{n}.html", quien(n), f"{c['nota']:.3g}") for n, c in todas.items()}
     assert {(sitio, n, f"{float(nota):.3g}") for sitio, n, nota in filas} == debe

@@ -175,6 +175,13 @@ def test_lo_que_esta_mal_sin_ejecutar_nada(tmp_path, pregunta, fichero, texto, o
     assert dice in mal[pregunta]
 
 
+def test_los_primeros_y_cuantos_mas():
+    for n in range(1, 9):
+        cosas = [f"c{i}" for i in range(n)]
+        dichas, _, mas = comprueba.enumera(cosas).partition("; y ")
+        assert dichas.split("; ") == cosas[:5] and mas == (f"{n - 5} más" if n > 5 else "")
+
+
 CON_SOBRA = CPP.replace("n la quita", "n la quita · z gira al revés").replace(
     "    esquinas[1] = polar", "    const float sobra = 3;\n    esquinas[1] = polar"
 )
