@@ -237,7 +237,7 @@ def test_lo_oculto_no_se_ensena(tmp_path, monkeypatch):
     assert not set(codigos) & set(libro.Libro(raiz).respuestas) and libro.Libro(raiz).respuestas
 
 
-def test_una_imagen_se_rehace_si_cambia_algo_de_lo_que_lee(tmp_path):
+def test_una_imagen_se_rehace_si_cambia_algo_de_lo_que_lee(tmp_path, monkeypatch):
     p = next(p for p in catalogo.lee_programas(BUILD) if p.nombre == "textura_objeto")
     galeria, caso = dibuja.Galeria(RAIZ, BUILD, tmp_path, []), p.casos[0]
     assert [galeria.dibuja(p, caso, tmp_path) for _ in range(2)] == [True, False]
@@ -249,6 +249,10 @@ def test_una_imagen_se_rehace_si_cambia_algo_de_lo_que_lee(tmp_path):
         hecho["leidos"][ruta] = suma
     otro = replace(caso, guion="espera 0")
     assert [galeria.dibuja(p, c, tmp_path) for c in (caso, otro)] == [False, True]
+    siembra(tmp_path, {"otro": f'#!/bin/sh\nexec "{p.ejecutable(BUILD, "egl")}" "$@"\n'})
+    (tmp_path / "otro").chmod(0o755)
+    monkeypatch.setattr(type(p), "ejecutable", lambda *_: tmp_path / "otro")  # vuelto a compilar
+    assert [galeria.dibuja(p, otro, tmp_path) for _ in range(2)] == [True, False]
 
 
 def test_de_varios_programas_acaba_mal_si_acaba_mal_alguno():
