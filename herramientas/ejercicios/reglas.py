@@ -62,10 +62,6 @@ class Reglas:
         return max(entero + self.huecos / CIEN * (media - entero), 1 - mal / sum(pesos))
 
     @property
-    def cuanto_casi(self):
-        return "la mitad" if self.casi == CIEN / 2 else f"{self.casi:g} de {CIEN}" if self.casi else "cero"
-
-    @property
     def en_palabras(self):
         """Todas, para cada informe."""
         al_azar = (
@@ -73,8 +69,9 @@ class Reglas:
         )
         return (
             f"guiones: los casos, {self.caso:g} cada uno; {al_azar}; tolerancia {self.tolerancia}; lo casi igual, "
-            f"{self.casi:g} %; un caso que se ve bien y falla al seguirlo, {self.medias:g} %; quitan, de 100, el título {self.titulo:g}, el texto {self.texto:g} y el estado con que "
-            f"acaba {self.estado:g}; de lo que no es 100, las piezas, cada una por su cuenta, {self.huecos:g} %"
+            f"{self.casi:g} %; un caso que se ve bien y falla al seguirlo, {self.medias:g} %; quitan, de 100, el título "
+            f"{self.titulo:g}, el texto {self.texto:g} y el estado con que acaba {self.estado:g}; de lo que no es 100, "
+            f"las piezas, cada una por su cuenta, {self.huecos:g} %"
             f"{f', con pesos {self.pesos}' if numeros(self.pesos) else ''}"
             f"{', y nunca menos de lo que pesan las que están bien' if self.huecos else ''}"
         ) + (f"; escala: {self.escala}" if self.tramos else "")
