@@ -164,7 +164,7 @@ class Taller:
 
     @staticmethod
     def ensena(linea):
-        """Una línea de ninja: por dónde va, que se borra, con lo que queda si es mucho, o lo que dice quien compila, sin su orden."""
+        """Una línea de ninja: por dónde va, que se borra, con lo que queda si es mucho; o por qué no compila."""
         paso = re.match(r"\[(\d+)/(\d+)\]", linea)
         if paso and int(paso[1]) == 1 and int(paso[2]) > MUCHOS:
             procesadores = len(os.sched_getaffinity(0))
