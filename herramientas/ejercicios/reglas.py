@@ -69,9 +69,9 @@ class Reglas:
         )
         return (
             f"guiones: los casos, {self.caso:g} cada uno; {al_azar}; tolerancia {self.tolerancia}; lo casi igual, "
-            f"{self.casi:g} %; un caso que se ve bien y falla al seguirlo, {self.medias:g} %; quitan, de 100, el "
-            f"título {self.titulo:g}, el texto {self.texto:g} y el estado con que acaba {self.estado:g}; de lo que no es "
-            f"100, las piezas, cada una por su cuenta, {self.huecos:g} %"
+            f"{self.casi:g} %; un caso que se ve bien y falla al seguirlo, {self.medias:g} %; quitan, de 100, "
+            f"el título {self.titulo:g}, el texto {self.texto:g} y el estado con que acaba {self.estado:g}; de lo que "
+            f"no es 100, las piezas, cada una por su cuenta, {self.huecos:g} %"
             f"{f', con pesos {self.pesos}' if numeros(self.pesos) else ''}"
             f"{', y nunca menos de lo que pesan las que están bien' if self.huecos else ''}"
         ) + (f"; escala: {self.escala}" if self.tramos else "")
