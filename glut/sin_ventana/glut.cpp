@@ -70,8 +70,11 @@ void GLAPIENTRY depura(GLenum origen, GLenum tipo, GLuint, GLenum, GLsizei, cons
         return;
     if ((tipo == GL_DEBUG_TYPE_ERROR || tipo == GL_DEBUG_TYPE_UNDEFINED_BEHAVIOR ||
          tipo == GL_DEBUG_TYPE_DEPRECATED_BEHAVIOR) &&
-        errorGL.empty())
+        errorGL.empty()) {
         errorGL = texto;
+        if (errorGL.find("deprecated function") != std::string::npos) // es de Mesa, y no dice cuál
+            errorGL += ": ¿una de OpenGL 1, como glBegin o glMatrixMode? En 3.1 no están";
+    }
 }
 
 // El programa ha llamado a exit antes de que el bucle pudiera comprobar los últimos errores.

@@ -164,7 +164,7 @@ class Taller:
 
     @staticmethod
     def ensena(linea):
-        """Una línea de ninja: por dónde va, que se borra, con lo que queda si es mucho, o lo que dice el compilador."""
+        """Una línea de ninja: por dónde va, que se borra, con lo que queda si es mucho; o por qué no compila."""
         paso = re.match(r"\[(\d+)/(\d+)\]", linea)
         if paso and int(paso[1]) == 1 and int(paso[2]) > MUCHOS:
             procesadores = len(os.sched_getaffinity(0))
@@ -173,7 +173,7 @@ class Taller:
         if not linea or paso:
             if sys.stderr.isatty():
                 print(f"\r\033[K{linea.strip()[:100]}", end="", file=sys.stderr, flush=True)
-        elif not linea.startswith("-- ") and not re.match("ninja: (?!error: |build stopped: .* space)", linea):
+        elif not re.match(r"-- |FAILED: |(: && )?/\S+ .* -o |ninja: (?!error: |build stopped: .* space)", linea):
             aviso(linea.rstrip())
 
     def compila_para_usar(self, *objetivos):

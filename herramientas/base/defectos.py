@@ -147,7 +147,8 @@ def parte_una_expresion(antes, texto, despues):
     une_antes = UNE.get(izquierda[1], 99) if izquierda else 99
     une_despues = UNE.get(derecha[1], 99) if derecha else 99
     resta = izquierda and izquierda[1] in ("-", "/", "%")
-    return max(suyos) > min(une_antes, une_despues) or resta and max(suyos) == une_antes
+    de_una_lista = UNE[","] in suyos  # de argumentos: sería el operador coma
+    return de_una_lista or max(suyos) > min(une_antes, une_despues) or resta and max(suyos) == une_antes
 
 
 def con_mutantes(fuente, desde, hasta, nuevo, mutantes, marca):

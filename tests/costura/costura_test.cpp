@@ -62,7 +62,7 @@ TEST(Fallos, CadaUnoConSuEstadoYSuMensaje) {
         {{DEFECTUOSO, "inicio"}, "", "error de OpenGL antes de glutMainLoop: GL_INVALID_ENUM", 3},
         {{DEFECTUOSO, "exit"}, "", "error de OpenGL: GL_INVALID_ENUM", 3},
         // lo que no es OpenGL 3.1 no pasa; lo que no es GLSL 1.40, en taller_test.cpp
-        {{DEFECTUOSO, "begin"}, "", "error de OpenGL al dibujar", 3},
+        {{DEFECTUOSO, "begin"}, "", "¿una de OpenGL 1, como glBegin", 3},
         {{DEFECTUOSO, "sin_vao"}, "", "error de OpenGL al dibujar: GL_INVALID_OPERATION", 3},
         {{DEFECTUOSO, "uniforme"},
          "",

@@ -110,7 +110,7 @@ nombre raro                   a\x1b[2J.cpp=m, p.h → a [2J.cpp p.h
 que no se puede escribir      p.cpp=m, p.h, é\udcff.hh → p.cpp p.h é .hh
 guion                         -o.cpp=m, p.h → -o.cpp p.h
 dentro                        entrega/entrega/p.cpp=m, entrega/entrega/p.h, __MACOSX/a.cpp → p.cpp p.h
-subcarpeta                    p.cpp=m, p.h, util/a.hpp, util/mas/a.inl → p.cpp p.h util/a.hpp util/mas/a.inl
+subcarpeta, y de un Mac       p.cpp=m, p.h, util/u\u0301.hpp, util/mas/a.inl → p.cpp p.h util/mas/a.inl util/ú.hpp
 muy hondo                     p.cpp=m, p.h, a/a/a/a/a/a/a/x.cpp → p.cpp p.h
 de todo                       p.cpp=m, p.h, .git/x.cpp, .DS_Store, Thumbs.db=binario, p.cpp~, p.o=binario → p.cpp p.h
 corregida                     P.CPP=m, p.h, correccion/x.cpp, ._p.cpp=binario → P.CPP p.h
@@ -162,8 +162,7 @@ def revuelta():
         partes = [f.partition("=") for f in ficheros.split(", ") if f]
         yield vale(nombre), {vale(f): CONTENIDOS[que] for f, _, que in partes}, dice
     yield from ((f"z {nombre}", {"x.zip": datos}, dice) for nombre, (datos, dice) in ZIPS.items())
-    yield "x" * 150, {"p.cpp": P, "p.h": ""}, "p.cpp p.h"
-    yield "n\udcff", {"p.cpp": P, "p.h": ""}, "p.cpp p.h"
+    yield from ((nombre, {"p.cpp": P, "p.h": ""}, "p.cpp p.h") for nombre in ("x" * 150, "n\udcff"))
     yield "muchos", {"p.cpp": P, "p.h": "", **{f"z{i}.h": "" for i in range(500)}}, "… son más de 400 ficheros…"
     de_npm = {f"node_modules/{i}.h": "" for i in range(500)}
     yield "muchísimos", {"p.cpp": P, "p.h": "", **de_npm, **{f"z/{i}": "" for i in range(4600)}}, "p.cpp p.h"

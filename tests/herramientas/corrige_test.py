@@ -763,6 +763,7 @@ def test_de_que_avisa_el_compilador(tmp_path):
     no_compilan = {
         "«f()» está en dos ficheros: mi p.cpp y otra p.cpp": dos,
         "falta «main»": {"p.cpp": "int mani() {}"},
+        "p.cpp:1: no está «util\\P.h», y sí «p.h»": {"p.cpp": '#include "util\\P.h"\n', "p.h": ""},
         "p.h:3: no match for": {"p.cpp": ordena, "p.h": ORDENA},  # y no la biblioteca de que es la plantilla
     }
     for i, (dice, ficheros) in enumerate(no_compilan.items()):

@@ -222,10 +222,8 @@ JUGADOS = (  # los ficheros que cambian, y de cada pregunta que lo nota, y solo 
 NO_EMPIEZAN = (  # y los que no dejan ni empezar
     ({"molinete_cpp": "esto no es C++\n"}, "no compila"),
     ({"errores_tsv": "molinete.cpp\tno está\tx\ty\t\tz\n"}, "«no está» está 0 veces en molinete.cpp"),
-    (
-        {"errores_tsv": "molinete.cpp\tpolar(«0.6f, angulo» + paso\t1\ta medias\t\tx\n"},
-        "entre paréntesis, la expresión sería otra: «0.6f, angulo»",
-    ),
+    ({"errores_tsv": "molinete.cpp\t«angulo + paso» / 2\t1\ta\t\tx\n"}, "la expresión sería otra: «angulo + paso»"),
+    ({"errores_tsv": "molinete.cpp\tpolar(«0.6f, angulo + paso / 2»)\t1\ta\t\tx\n"}, "la expresión sería otra: «0.6f"),
     ({"errores_tsv": "otro.cpp\ta\tx\ty\t\tz\n"}, "no hay ningún «otro.cpp»"),
     ({"errores_tsv": "molinete.cpp a b\n"}, "errores:1: son fichero, texto"),
     ({"casos_txt": "tecla g\n"}, "casos.txt:1: es «nombre: guion»"),

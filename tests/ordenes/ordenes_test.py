@@ -230,10 +230,10 @@ def test_los_avisos_no_impiden_usarlo(taller, monkeypatch):
 
 
 def test_lo_que_se_ensena_al_compilar(capsys):
-    for linea in "[1/2] Building", "-- nada", "ninja: no work":
+    for linea in "[1/2] Building", "-- nada", "ninja: no work", "FAILED: a.o", "/usr/bin/c++ -Ia -o a.o -c a.cpp":
         construye.Taller.ensena(linea + "\n")
     assert capsys.readouterr().err == ""
-    for linea in "a.cpp:1", "ninja: error: falta", "ninja: build stopped: Error: No space left on device.":
+    for linea in "/a.cpp:1: a", "ninja: error: falta", "ninja: build stopped: Error: No space left on device.":
         construye.Taller.ensena(linea + "\n")
         assert capsys.readouterr().err == linea + "\n"
     construye.Taller.ensena("[1/600] Building CXX object a.o\n")

@@ -2,7 +2,7 @@
 import functools
 import re
 import shutil
-from pathlib import Path
+from pathlib import Path, PurePath, PureWindowsPath
 
 from base import compilacion, llamadas
 from base.fuentes import SHADERS
@@ -180,8 +180,12 @@ DE_IMPRENTA = dict.fromkeys("“”‘’", "comillas de imprenta") | dict.fromk
 DE_IMPRENTA |= {"\u00a0": "un espacio que no es el del teclado"}
 
 
-def con_la_letra(error):
-    """De una letra que no vale, cuál es: a veces ni se ve."""
+def con_lo_que_es(error, ficheros):
+    """De un #include que no está, el que sí y en Windows valdría; de una letra que no vale, cuál: a veces ni se ve."""
+    falta = error.removesuffix(": No such file or directory")
+    hay = [f for f in ficheros if falta != error and PurePath(f).name.lower() == PureWindowsPath(falta).name.lower()]
+    if hay:
+        return f"no está «{falta}», y sí «{hay[0]}»: cuentan las mayúsculas, y las carpetas van con /"
     letra = re.search(r"extended character (.) is not valid", error)
     if not letra:
         return error
@@ -207,7 +211,7 @@ def primer_error(hecho, suya, ficheros):
         if fichero in ficheros and not (desde and lugar):
             lugar = f"{fichero}:{linea}: "
         if error := ERROR.match(dice):  # el de una plantilla está en su cabecera, y antes se dice quién la usa
-            return f"no compila: {lugar or f'{fichero}:{linea}: '}{con_la_letra(error[1])}"
+            return f"no compila: {lugar or f'{fichero}:{linea}: '}{con_lo_que_es(error[1], ficheros)}"
     if repetido := REPETIDO.search(errores):
         return f"no compila: «{repetido[2]}» está en dos ficheros: {repetido[3]} y {repetido[1]}"
     if falta := re.search(r"undefined reference to [`'](.*)'", errores):

@@ -140,13 +140,11 @@ def nombre_de(miembro):
     """Cómo se llama en un .zip: en UTF-8 o, si es de los de antes, en lo que usaba cada sistema, que no se dice."""
     nombre = miembro.filename
     if not miembro.flag_bits & 0x800:
-        try:
+        with suppress(UnicodeEncodeError):  # lo ha leído ya en otra cosa
             crudo = nombre.encode("cp437")
             como = "utf-8", "cp437", "cp850", "cp1252"
             posibles = [unicodedata.normalize("NFC", crudo.decode(c, "replace")) for c in como]
             nombre = max(posibles, key=lambda n: sum(c in ESPANOL for c in n) - 9 * n.count("\ufffd"))
-        except UnicodeEncodeError:  # lo ha leído ya en otra cosa
-            pass
     return legible(nombre if "/" in nombre else nombre.replace("\\", "/"))
 
 
@@ -194,7 +192,7 @@ def de_tar(datos, debajo=()):
         for miembro in itertools.islice(t, CLASE // 4):
             if miembro.isreg() and not miembro.issparse():  # lo que no está escrito puede ser enorme
                 suyos = datos[miembro.offset_data : miembro.offset_data + miembro.size]
-                yield from de_dentro(legible(miembro.name), functools.partial(corto, suyos), debajo)
+                yield from de_dentro(miembro.name, functools.partial(corto, suyos), debajo)
 
 
 def es_paquete(nombre):
@@ -246,6 +244,7 @@ class Lector:
 
     def mira(self, hay):
         for ruta, lee in hay:
+            ruta = tuple(map(legible, ruta))
             nombre = ruta[-1]
             if any(map(basura, ruta)) or len(ruta) > HONDO + 1:
                 continue
