@@ -417,7 +417,7 @@ function resumen(datos, conImagen) {
   const partes = [];
   if (datos.sospechas.length)
     partes.push(h('ul', { class: 'sospechas' }, datos.sospechas.map(s => h('li', {}, `${s.dice}. ${s.prueba} `,
-      sitioDe(datos.ordenes.find(o => o.n === s.orden) ?? {}, true)))));
+      sitioDe(s.sitio ? s : datos.ordenes.find(o => o.n === s.orden) ?? {}, true)))));
   if (!datos.pixel) return partes;
   const ultimo = quienGana(datos);
   const orden = ultimo && datos.ordenes.find(o => o.n === ultimo.orden);

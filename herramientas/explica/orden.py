@@ -99,6 +99,7 @@ def completa(raiz, cuadro, nombre, titulo, suyas):
                 orden[que] = png.en_url(**orden[que])
         if "programa" in orden:
             orden["frag"] = de_orden[orden["programa"]]
+    fuentes.de_sospechas(cuadro["sospechas"], cuadro["ordenes"], cuadro["programas"])
     cuadro["veces"]["imagen"] = png.en_url(**cuadro["veces"]["imagen"]) if cuadro["veces"] else None
     [pixel] = cuadro.pop("pixeles") or [{"pixel": None, "color": None, "historia": []}]
     return {

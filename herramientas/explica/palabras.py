@@ -23,7 +23,7 @@ def de_suceso(suceso, orden):
 
 
 def de_sospecha(sospecha, ordenes):
-    suyo = ordenes.get(sospecha["orden"], {}).get("sitio")
+    suyo = sospecha.get("sitio") or ordenes.get(sospecha["orden"], {}).get("sitio")
     return f"aviso: {sospecha['dice']}. {sospecha['prueba']}" + (f" Es {suyo['dice']}." if suyo else "")
 
 

@@ -367,7 +367,8 @@ Json sombrea(const Orden &orden, const Lienzo &l, Punto p, int primitiva) {
             posiciones[i] = posicion->valor;
     }
     json.pon("fragmento", enJsonDe(deFragmento, fragmento)).pon("vertices", deCada);
-    json.pon("lecturas", lecturasDe(programa, fragmento.apuntado));
+    // en el reescrito está la textura aunque lo leído no llegue a nada, multiplicado por 0
+    json.pon("lecturas", lecturasDe(deFragmento.programa, fragmento.apuntado));
     if (conPosicion) {
         const auto pesos = pesosDe(posiciones, p);
         json.pon("pesos", pesos[0]).pon("pesosSinPerspectiva", pesos[1]);

@@ -137,13 +137,14 @@ bool haciaFuera(const Cableado &c) {
 
 } // namespace
 
-void Sospechas::pon(int gravedad, int orden, const std::string &dice, const std::string &prueba) {
+void Sospechas::pon(int gravedad, int orden, const std::string &dice, const std::string &prueba,
+                    const LineaDeShader &linea) {
     static const std::regex NUMERO("orden [0-9]+|[0-9]+ de sus [0-9]+|hasta [0-9]+");
     const auto sin = [](const std::string &texto) { return std::regex_replace(texto, NUMERO, "orden"); };
     const auto igual = [&](const Sospecha &s) { return sin(s.dice) == sin(dice); };
     const auto otra = std::find_if(lista.begin(), lista.end(), igual);
     if (otra == lista.end()) // la misma en cada orden se dice una vez
-        lista.push_back({gravedad, orden, dice, prueba});
+        lista.push_back({gravedad, orden, dice, prueba, linea});
     else
         otra->otras += otra->dice != dice;
 }
@@ -270,6 +271,17 @@ void Sospechas::delEstado(const Orden &o, const Lienzo &l, int n) {
 void Sospechas::pon(int gravedad, int orden, const Dicho &dicho) {
     if (!dicho.first.empty())
         pon(gravedad, orden, dicho.first, dicho.second);
+}
+
+// Lo que se ve en el texto de los dos shaders, con su línea.
+void Sospechas::deShaders(int n) {
+    for (const auto &[etapa, tipo] : {std::pair("vert", GL_VERTEX_SHADER), {"frag", GL_FRAGMENT_SHADER}})
+        for (const Division &d : divisionesEnteras(fuentesDelPrograma(GLenum(tipo)))) {
+            const std::string a = std::to_string(d.dividendo), b = std::to_string(d.divisor);
+            pon(SEGURO, n,
+                a + " / " + b + " es una división entera y vale " + std::to_string(d.dividendo / d.divisor),
+                "Entre enteros se pierde el resto: escribe " + a + ".0 / " + b + ".0.", {etapa, d.linea});
+        }
 }
 
 void Sospechas::apuntaIndices(const Orden &o) {
@@ -407,6 +419,7 @@ void Sospechas::antes(const Orden &o, const Lienzo &l, const Cableado &cableado,
             "Mira el índice y el desplazamiento de cada glVertexAttribPointer.");
     if (o.tipoIndice != GL_NONE && entero(GL_ELEMENT_ARRAY_BUFFER_BINDING))
         apuntaIndices(o);
+    deShaders(n);
     deMatrices(cableado, l, n);
     delCableado(cableado, o, l, n);
     deNormales(cableado, n);
@@ -546,7 +559,9 @@ std::vector<Json> Sospechas::todas(bool unColor) {
             salen.push_back(
                 {{"orden", s.orden},
                  {"dice", s.dice + (s.otras ? "; otras " + std::to_string(s.otras) + ", por lo mismo" : "")},
-                 {"prueba", s.prueba}});
+                 {"prueba", s.prueba},
+                 {"etapa", s.linea.etapa},
+                 {"linea", s.linea.linea}});
     return salen;
 }
 
