@@ -104,7 +104,7 @@ function valorDe({ tipo, valor }) {
 const ESCRITO = { entra: 'se entra', vuelve: 'se vuelve', descarta: 'discard', caso: 'este caso' };
 
 /** Lo que se lee de una textura: con qué filtro, de qué niveles y de qué texels, con lo que pesa cada uno. */
-function lecturaDe({ escrito, motivo, filtro, lambda, niveles, texels, suma, valor }) {
+function lecturaDe({ escrito, motivo, filtro, lambda, niveles, texels, suma, valor, seguido }) {
   if (motivo) return h('p', {}, h('i', {}, `${escrito}: ${motivo}`));
   const deNivel = n => `nivel ${n.nivel}${n.peso < 1 ? ` · ${cifra(n.peso, 3)}` : ''}`;
   const color = (v, cifras) => [muestra(v.map(c => 255 * c)), vector(v, cifras)];
@@ -114,7 +114,19 @@ function lecturaDe({ escrito, motivo, filtro, lambda, niveles, texels, suma, val
     niveles.map(deNivel).join(' + ')),
   h('p', {}, `${escrito}. Un píxel abarca 2^λ texels: si λ no es positiva, la textura se amplía.`),
   h('table', {}, h('tr', {}, ['nivel', 'texel', 'pesa', ''].map(t => h('th', {}, t))), texels.map(fila)),
-  h('p', {}, 'suman ', color(suma, 4), '; se ha leído ', color(valor, 4)));
+  h('p', {}, 'suman ', color(suma, 4), '; se ha leído ', color(valor, 4)),
+  seguido ? h('p', {}, `Se pinta en el framebuffer ${seguido.framebuffer}: `,
+    h('a', { href: `#${idDe(seguido)}` }, `por qué el texel ${vector(seguido.pixel)} tiene ese color`)) : '');
+}
+
+const idDe = ({ lee, textura }) => `texel-${lee}-${textura}`;
+
+/** Los texels de las texturas que se pintan en el mismo cuadro, cada uno explicado como el píxel. */
+function texelsDe(datos, elige) {
+  return (datos.texels ?? []).flatMap(texel => [
+    h('h2', { id: idDe(texel) }, `El texel ${vector(texel.pixel)} que lee la orden ${texel.lee}, en el framebuffer ` +
+      texel.framebuffer), h('p', {}, 'Queda de color ', conMuestra(texel.color), '.'),
+    historia({ ...datos, ...texel }, elige), ...sombreadoDe({ ...datos, ...texel })]);
 }
 
 /** Cada línea de un shader y, a su lado, lo que vale lo que se calcula en ella; en gris, las que no se ejecutan. */
@@ -176,6 +188,8 @@ function sombreadoDe(datos) {
   if (!sombreado?.fragmento) return [];
   const { programa } = datos.ordenes.find(o => o.n === sombreado.orden);
   const suyo = datos.programas.find(p => p.programa === programa);
+  const lecturas = sombreado.lecturas.map(l =>
+    ({ ...l, seguido: datos.texels?.find(t => t.textura === l.textura && t.lee === sombreado.orden) }));
   const partes = [];
   if (sombreado.vertices.length) {
     const [primero] = sombreado.vertices;
@@ -185,7 +199,7 @@ function sombreadoDe(datos) {
   }
   const { motivo } = sombreado.fragmento;
   partes.push(h('h2', {}, 'El shader que le da el color, línea a línea'),
-    motivo ? h('p', { class: 'malo' }, motivo) : '', fuenteDe(suyo.frag, sombreado.fragmento, sombreado.lecturas));
+    motivo ? h('p', { class: 'malo' }, motivo) : '', fuenteDe(suyo.frag, sombreado.fragmento, lecturas));
   return partes;
 }
 
@@ -316,11 +330,13 @@ const deAtributo = a => (a.activo
   ? `${a.componentes} ${a.de} cada ${a.paso} bytes desde el ${a.desplazamiento}; ` +
     a.primeros.map(v => vector(v.slice(0, a.componentes), 3)).join(' ')
   : 'ningún array');
-const deTextura = t => [`${t.objetivo} ${t.talla.join('×')} ${t.formato}`,
-  [t.reduce, t.amplia].filter(Boolean).join(', '), t.repite, t.incompleta].filter(Boolean).join('; ');
+const deTextura = (t, pinta) => [`${t.objetivo} ${t.talla.join('×')} ${t.formato}`,
+  [t.reduce, t.amplia].filter(Boolean).join(', '), t.repite, t.incompleta,
+  pinta && `la pinta la orden ${pinta.n}, en el ${pinta.framebuffer}`].filter(Boolean).join('; ');
 
 /** Lo que le llega a una orden: de cada caja, su título y sus filas, con el nombre que tiene en los shaders. */
-function fuentesDe({ atributos, uniformes, texturas, vao }) {
+function fuentesDe({ n, cableado: { atributos, uniformes, texturas, vao } }, ordenes) {
+  const quienPinta = t => ordenes.findLast(o => o.n < n && o.pinta && o.pinta === t.textura);
   const filas = (lista, nombre, dice, falta) => lista.map(cosa =>
     ({ nombre: cosa[nombre], dice: dice(cosa), falta: falta(cosa), sitio: cosa.sitio }));
   const caja = (titulo, lista) => ({ titulo, filas: lista });
@@ -331,20 +347,21 @@ function fuentesDe({ atributos, uniformes, texturas, vao }) {
     caja('Uniforms', filas(uniformes.filter(u => !texturas.some(t => t.sampler === u.nombre)), 'nombre',
       u => `${u.tipo} ${u.dado ? vector(u.valor, 3) : 'sin valor'}`, u => !u.dado)),
     ...texturas.map(t => caja(`Unidad ${t.unidad} · textura ${t.textura}`,
-      filas([t], 'sampler', deTextura, () => Boolean(t.incompleta)))),
+      filas([t], 'sampler', () => deTextura(t, quienPinta(t)), () => Boolean(t.incompleta)))),
   ].filter(({ filas: suyas }) => suyas.length);
 }
 
 /** De dónde le llega a una orden lo que dibuja y a qué shader, con una línea de cada cosa al que la usa; en negrita, lo
  *  que no era así en la orden anterior. */
-function cableadoDe(orden, anterior, programa) {
+function cableadoDe(orden, anterior, { programas, ordenes }) {
+  const programa = programas.find(p => p.programa === orden.programa);
   const antes = new Map(anterior?.cableado
-    ? fuentesDe(anterior.cableado).flatMap(({ titulo, filas }) => filas.map(f => [f.nombre, titulo + f.dice])) : []);
+    ? fuentesDe(anterior, ordenes).flatMap(({ titulo, filas }) => filas.map(f => [f.nombre, titulo + f.dice])) : []);
   const usa = (etapa, nombre) => (programa?.[etapa] ?? []).some(({ texto }) =>
     new RegExp(`\\b${nombre.match(/^\w+/)[0]}\\b`).test(texto.replace(/\/\/.*/, '')));
   const pares = [], shaders = [['vert', 'Vertex shader'], ['frag', 'Fragment shader']].map(([etapa, titulo]) =>
     ({ etapa, titulo, filas: [] }));
-  const izquierda = fuentesDe(orden.cableado).map(({ titulo, filas }) => h('section', {}, h('h4', {}, titulo),
+  const izquierda = fuentesDe(orden, ordenes).map(({ titulo, filas }) => h('section', {}, h('h4', {}, titulo),
     h('ul', {}, filas.map(({ nombre, dice, falta, sitio }) => {
       const clase = falta ? 'malo' : antes.size && antes.get(nombre) !== titulo + dice ? 'cambia' : '';
       const fila = h('li', {}, h('code', {}, nombre), ' ', h('span', { class: clase }, dice), sitioDe({ sitio }));
@@ -381,7 +398,7 @@ function detalle(datos, indice) {
   return [h('h3', {}, `${orden.n} · ${tituloDe(orden)}`),
     h('p', {}, h('code', {}, orden.llamada), `, en ${orden.framebuffer}${cuantos}. `, sitioDe(orden, true)),
     h('div', { class: 'laminas' }, laminas), orden.estado.length ? estadoDe(orden, anterior) : '',
-    orden.cableado ? cableadoDe(orden, anterior, datos.programas.find(p => p.programa === orden.programa)) : ''];
+    orden.cableado ? cableadoDe(orden, anterior, datos) : ''];
 }
 
 function ordenesDe(datos) {
@@ -440,7 +457,7 @@ export function muestraCuadro(datos, contenedor, { conImagen = true } = {}) {
   const veces = datos.historia?.filter(s => s.veredicto === 'escrito').length, titulo = 'La historia del píxel';
   if (datos.pixel) partes.push(h('h2', {}, veces > 2 ? `${titulo}: escrito ${veces} veces` : titulo),
     historia(datos, elige), ...loQueFalta(datos),
-    ...sombreadoDe(datos), ...mallaDe(datos.sombreado ?? {}));
+    ...sombreadoDe(datos), ...mallaDe(datos.sombreado ?? {}), ...texelsDe(datos, elige));
   partes.push(h('h2', {}, 'El cuadro, orden a orden'), elemento);
   if (typeof datos.veces?.imagen === 'string') partes.push(h('div', { style: `max-width: ${ANCHO}px` },
     lamina(datos.veces.imagen, `Cuántas órdenes cambian cada píxel: en blanco, ${datos.veces.maximo}`)));

@@ -131,6 +131,13 @@ Lienzo lienzoActual(int ancho, int alto, GLenum objetivo) {
     mide(objetivo, profundidad, l);
     if (l.buferColor != GL_NONE && hayAdjunto(objetivo, l.buferColor)) {
         mide(objetivo, l.buferColor, l);
+        const auto pregunta = [&](GLenum que) {
+            return contesta(glGetFramebufferAttachmentParameteriv, objetivo, l.buferColor, que);
+        };
+        if (pregunta(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) == GL_TEXTURE &&
+            pregunta(GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_LEVEL) == 0 &&
+            pregunta(GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_CUBE_MAP_FACE) == 0)
+            l.textura = GLuint(pregunta(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME));
         l.componentes = GLenum(contesta(glGetFramebufferAttachmentParameteriv, objetivo, l.buferColor,
                                         GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE));
     } else {

@@ -85,6 +85,26 @@ def lo_que_falta(historia, ordenes):
     return ["No dibujan nada:", *(f"{o['n']:>4}  {de_orden(o)}: {o['nada']}" for o in nada)] if nada else []
 
 
+def de_pixel(datos, ordenes):
+    """Su historia y, de quien gana, sus valores y lo que lee."""
+    sombreado = datos.get("sombreado", {})
+    lecturas = [de_lectura(lectura) for lectura in sombreado.get("lecturas", [])]
+    mas = [f"      y {len(lecturas) - LECTURAS} lecturas más, en la página"] * (len(lecturas) > LECTURAS)
+    return [
+        *(de_suceso(suceso, ordenes[suceso["orden"]]) for suceso in datos["historia"]),
+        *de_sombreado(datos["lineas"]),
+        *lecturas[:LECTURAS],
+        *mas,
+        *sin_seguir(sombreado),
+    ]
+
+
+def de_texel(texel, ordenes):
+    x, y = texel["pixel"]
+    que = f"el texel ({x}, {y}) que lee la orden {texel['lee']} se pinta en el framebuffer {texel['framebuffer']}"
+    return [f"{que}: {rgb(texel['color'])}", *de_pixel(texel, ordenes)]
+
+
 def cuadro(datos):
     """La historia del píxel o, si no se pide ninguno, las órdenes."""
     ordenes = {orden["n"]: orden for orden in datos["ordenes"]}
@@ -92,14 +112,9 @@ def cuadro(datos):
     if datos["pixel"]:
         x, y = datos["pixel"]
         filas += [f"{datos['programa']} en ({x}, {y}): {rgb(datos['color'])}"]
-        filas += [de_suceso(suceso, ordenes[suceso["orden"]]) for suceso in datos["historia"]]
         filas += [] if datos["historia"] else ["      ninguna orden de este cuadro lo toca"]
-        sombreado = datos.get("sombreado", {})
-        lecturas = [de_lectura(lectura) for lectura in sombreado.get("lecturas", [])]
-        mas = [f"      y {len(lecturas) - LECTURAS} lecturas más, en la página"] * (len(lecturas) > LECTURAS)
-        filas += [*de_sombreado(datos["lineas"]), *lecturas[:LECTURAS], *mas]
-        filas += sin_seguir(sombreado)
+        filas += de_pixel(datos, ordenes)
         filas += lo_que_falta(datos["historia"], ordenes)
-        return "\n".join(filas)
+        return "\n".join([*filas, *(fila for texel in datos["texels"] for fila in de_texel(texel, ordenes))])
     filas += [f"{datos['programa']}: {len(ordenes)} órdenes"]
     return "\n".join([*filas, *(f"{n:>4}  {de_orden(orden)}" for n, orden in ordenes.items())])

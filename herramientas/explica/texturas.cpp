@@ -228,15 +228,16 @@ Json deLectura(GLuint programa, const Lectura &l) {
                                    [&](const Variable &v) { return v.nombre == l.sampler; });
     std::optional<Suma> suma;
     bool anisotropa = false;
+    GLint textura = 0;
     if (suyo != uniforms.end() && suyo->tipo == GL_SAMPLER_2D) {
         const GLint antes = entero(GL_ACTIVE_TEXTURE);
         glActiveTexture(GLenum(GL_TEXTURE0 + GLint(valorDe(programa, *suyo)[0])));
         if (delNivel(0, GL_TEXTURE_WIDTH) > 0)
-            suma = laMejor(l), anisotropa = esAnisotropa();
+            suma = laMejor(l), anisotropa = esAnisotropa(), textura = entero(GL_TEXTURE_BINDING_2D);
         glActiveTexture(GLenum(antes));
     }
     if (suma)
-        json = enJsonDe(*suma);
+        json = enJsonDe(*suma).pon("textura", textura);
     const bool cuadra = suma && suma->cuadra();
     json.pon("linea", l.linea).pon("sampler", l.sampler).pon("escrito", l.escrito).pon("valor", l.valor);
     json.pon("coordenadas", std::array<double, 2>{l.coordenadas[0], l.coordenadas[1]});

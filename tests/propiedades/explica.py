@@ -104,13 +104,12 @@ def fallos_de_mascara(suceso, canales):
             yield f"deja {despues} en {canal} y su color es {color}"
 
 
-def quien_gana(historia):
-    """La orden y la primitiva de que viene el color de la ventana: si lo último es una copia, de antes, en el otro.
-    Lo que se mezcla y no cambia nada no cuenta, si hay otra cosa."""
-    lienzo = 0
+def quien_gana(historia, lienzo=0):
+    """La orden y la primitiva de que viene el color de la ventana, o de ese framebuffer: si lo último es una copia, de
+    antes, en el otro. Lo que se mezcla y no cambia nada no cuenta, si hay otra cosa."""
     de_verdad = [s for s in historia if not s.get("mezcla", {}).get("si") or s["antes"] != s["despues"]]
-    if len(de_verdad) < len(historia) and quien_gana(de_verdad)[1] is not None:
-        return quien_gana(de_verdad)
+    if len(de_verdad) < len(historia) and quien_gana(de_verdad, lienzo)[1] is not None:
+        return quien_gana(de_verdad, lienzo)
     for suceso in reversed(historia):
         if suceso["framebuffer"] != lienzo or suceso["veredicto"] != "escrito":
             continue
@@ -147,7 +146,7 @@ def fallos_de_historia(historia, canales):
 def fallos_de_sombreado(explicado):
     """Del fragmento que gana, línea a línea."""
     sombreado = explicado.get("sombreado")
-    orden, primitiva = quien_gana(explicado["historia"])
+    orden, primitiva = quien_gana(explicado["historia"], explicado["framebuffer"])
     gana = (sombreado["orden"], sombreado["primitiva"]) if sombreado else (orden, None)
     if gana != (orden, primitiva) and len({s["framebuffer"] for s in explicado["historia"]}) <= 2:
         yield f"se explica {gana} y gana {orden, primitiva}"
