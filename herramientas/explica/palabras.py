@@ -58,7 +58,8 @@ def de_lectura(lectura):
     if lectura["motivo"]:
         return de + lectura["motivo"]
     niveles = [f"nivel {n['nivel']}" + f" · {cifra(n['peso'])}" * (n["peso"] < 1) for n in lectura["niveles"]]
-    return f"{de}{lectura['filtro']}, λ = {cifra(lectura['lambda'])}, {' + '.join(niveles)}"
+    cara = f"cara {lectura['cara']}, " * bool(lectura["cara"])
+    return f"{de}{cara}{lectura['filtro']}, λ = {cifra(lectura['lambda'])}, {' + '.join(niveles)}"
 
 
 def sin_seguir(sombreado):
