@@ -59,15 +59,20 @@ function mezclaDe(mezcla) {
 const tabla = (clase, titulos, ...filas) => h('div', { class: 'tabla' }, h('table', { class: clase },
   h('thead', {}, h('tr', {}, titulos.map(texto => h('th', {}, texto)))), h('tbody', {}, ...filas)));
 
+/** «triángulo 11.º»: el primero es el 1.º; de un punto, también su gl_VertexID, que se cuenta desde 0. */
+function primitivaDe({ tipo, primitiva, vertices }) {
+  const numero = vertices?.length === 1 ? ` (gl_VertexID ${vertices[0]})` : '';
+  return tipo ? `${tipo} ${primitiva + 1}.º${numero}` : '';
+}
+
 function historia(datos, elige) {
   const ordenes = new Map(datos.ordenes.map(o => [o.n, o]));
   const fila = suceso => {
     const orden = ordenes.get(suceso.orden);
-    const quien = suceso.tipo ? `${suceso.tipo} ${suceso.primitiva}` : '';
     const color = suceso.color?.map(c => (typeof c === 'number' ? c * 255 : c));
     return h('tr', { class: suceso.veredicto },
       h('td', {}, h('button', { title: 'La orden, más abajo', onclick: () => elige(suceso.orden, true) },
-        suceso.orden)), h('td', {}, tituloDe(orden), sitioDe(orden)), h('td', {}, quien),
+        suceso.orden)), h('td', {}, tituloDe(orden), sitioDe(orden)), h('td', {}, primitivaDe(suceso)),
       h('td', {}, color ? h('span', { class: 'color' }, muestra(color), vector(suceso.color.slice(0, 4), 3)) : ''),
       h('td', {}, suceso.profundidad === undefined ? '' : cifra(suceso.profundidad, 6)),
       h('td', {}, suceso.dice, mezclaDe(suceso.mezcla)),
@@ -81,7 +86,7 @@ function historia(datos, elige) {
 function loQueFalta(datos) {
   const ordenes = new Map(datos.ordenes.map(o => [o.n, o]));
   const habria = datos.historia.filter(s => s.soloEsa).sort((a, b) => (a.profundidad ?? 1) - (b.profundidad ?? 1));
-  const quien = s => `${s.tipo} ${s.primitiva} de la orden ${s.orden}, ${tituloDe(ordenes.get(s.orden))}: ${s.dice}`;
+  const quien = s => `${primitivaDe(s)} de la orden ${s.orden}, ${tituloDe(ordenes.get(s.orden))}: ${s.dice}`;
   const nada = datos.ordenes.filter(o => o.nada).map(o => `${o.n} · ${tituloDe(o)}: ${o.nada}`);
   const [titulo, filas] = habria.length
     ? ['Lo que no se ve por una sola prueba, de más cerca a más lejos', habria.map(quien)]
@@ -170,7 +175,7 @@ function interpolacion(sombreado) {
   const salidas = vertice => new Map(vertice.lineas.filter(l => l.clase === 'salida').map(l => [l.nombre, l]));
   const suyas = sombreado.vertices.map(salidas);
   const nombres = [...(suyas[0]?.keys() ?? [])];
-  const titulos = ['', ...sombreado.vertices.map(v => `vértice ${v.indice}`), 'en el píxel'];
+  const titulos = ['', ...sombreado.vertices.map(v => `gl_VertexID ${v.indice}`), 'en el píxel'];
   const peso = (titulo, pesos) => pesos && h('tr', {}, h('th', {}, titulo), pesos.map(p => h('td', {}, cifra(p))),
     h('td'));
   const fila = nombre => {
@@ -188,12 +193,12 @@ function sombreadoDe(datos) {
   if (!sombreado?.fragmento) return [];
   const { programa } = datos.ordenes.find(o => o.n === sombreado.orden);
   const suyo = datos.programas.find(p => p.programa === programa);
-  const lecturas = sombreado.lecturas.map(l =>
+  const lecturas = (sombreado.lecturas ?? []).map(l =>
     ({ ...l, seguido: datos.texels?.find(t => t.textura === l.textura && t.lee === sombreado.orden) }));
   const partes = [];
   if (sombreado.vertices.length) {
     const [primero] = sombreado.vertices;
-    const titulo = h('summary', {}, `El vertex shader en el vértice ${primero.indice}`);
+    const titulo = h('summary', {}, `El vertex shader en el vértice con gl_VertexID ${primero.indice}`);
     partes.push(h('h2', {}, 'Sus vértices, y lo que llega al píxel'), interpolacion(sombreado),
       h('details', {}, titulo, fuenteDe(suyo.vert, primero)));
   }
@@ -438,7 +443,7 @@ function resumen(datos, conImagen) {
   if (!datos.pixel) return partes;
   const ultimo = quienGana(datos);
   const orden = ultimo && datos.ordenes.find(o => o.n === ultimo.orden);
-  const suya = ultimo?.tipo ? `el ${ultimo.tipo} ${ultimo.primitiva} de ` : '';
+  const suya = ultimo?.tipo ? `el ${primitivaDe(ultimo)} de ` : '';
   const quien = orden && `${suya}la orden ${orden.n}, ${tituloDe(orden)}`;
   const desde = orden?.sitio ? [', en ', sitioDe(orden, true)] : [];
   const marcas = marca('pixel', [...datos.pixel, 1, 1], datos.talla);

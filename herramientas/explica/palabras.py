@@ -16,8 +16,16 @@ def de_orden(orden):
     return " · ".join([orden["titulo"], *filter(None, [orden.get("frag")]), *orden["pruebas"], *donde])
 
 
+def de_primitiva(suceso):
+    """«triángulo 11.º de »: el primero es el 1.º; de un punto, también su gl_VertexID, que se cuenta desde 0."""
+    if "tipo" not in suceso:
+        return ""
+    numero = f" (gl_VertexID {suceso['vertices'][0]})" * (len(suceso["vertices"]) == 1)
+    return f"{suceso['tipo']} {suceso['primitiva'] + 1}.º{numero} de "
+
+
 def de_suceso(suceso, orden):
-    quien = f"{suceso['tipo']} {suceso['primitiva']} de {de_orden(orden)}" if "tipo" in suceso else de_orden(orden)
+    quien = de_primitiva(suceso) + de_orden(orden)
     cambia = f" → {rgb(suceso['despues'])}" if suceso["veredicto"] in ("escrito", "ajeno") else ""
     return f"{suceso['orden']:>4}  {quien}: {suceso['dice']}{cambia}"
 

@@ -87,6 +87,8 @@ def fallos_de(build, base, uso, debe):
         fallos.append("nada cubre el píxel")
     trazas = [t for t in [cuadro.get("sombreado", {}).get("fragmento")] if t]
     fallos += [f"no sigue la línea {s['linea']}: {s['motivo']}" for t in trazas for s in t["sinSeguir"]]
+    dibujan = [s for s in cuadro["historia"] if "tipo" in s]
+    fallos += [f"no se cuentan desde 1: {s}" for s in dibujan if f" {s['tipo']} {s['primitiva'] + 1}.º" not in dice]
     if uso not in NO_SE_SABE:
         return fallos
     fallos = [f for f in fallos if not f.startswith("no se") and not NO_SE_SABE[uso] in f]
