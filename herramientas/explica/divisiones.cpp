@@ -1,15 +1,13 @@
 #include "deduce.h"
 #include "lexico.h"
 #include "tipos.h"
-#include <cstdlib>
+#include <algorithm>
 #include <map>
-#include <regex>
-#include <set>
 
 namespace explica {
 namespace {
 
-using Nombres = std::set<std::string>;
+using Nombres = std::initializer_list<const char *>;
 
 const Nombres DE_LO_QUE_LE_DEN = {"abs", "sign", "min", "max", "clamp"};
 
@@ -18,14 +16,14 @@ bool deReales(const std::string &tipo) {
 }
 
 class Divisiones {
-    const std::string &fuente;
+    std::string fuente;                 // sin blancos
     Palabras p;                         // tras una que no dice nada, para poder mirar siempre la anterior
     std::map<std::string, bool> reales; // lo que se declara, y si es de reales en todas partes
     std::map<std::string, long long> constantes; // las enteras
     std::string devuelve;                        // el tipo de la función en que se está
 
-    bool es(std::size_t i, const Nombres &cuales) const {
-        return cuales.count(p[i].texto) > 0;
+    bool es(std::size_t i, Nombres cuales) const {
+        return std::find(cuales.begin(), cuales.end(), p[i].texto) != cuales.end();
     }
     bool abre(std::size_t i) const {
         return es(i, {"(", "[", "{"});
@@ -34,7 +32,7 @@ class Divisiones {
         return es(i, {")", "]", "}"});
     }
     bool esFin(std::size_t i) const {
-        return i == 0 || p[i].clase == Palabra::Fin;
+        return p[i].clase == Palabra::Fin;
     }
     // Desde esa, la siguiente hacia ese lado sin entrar en paréntesis.
     std::size_t otra(std::size_t i, int lado) const {
@@ -55,19 +53,18 @@ class Divisiones {
                (p[i].clase == Palabra::Numero && evalua(&p[i], &p[i] + 1, ninguna, valor));
     }
     bool esReal(std::size_t i) const {
-        const std::string &que = p[i].texto;
         long long valor;
-        if (p[i].clase == Palabra::Numero)
-            return !entero(i, valor);
-        const auto suyo = reales.find(que);
-        if (p[i].clase != Palabra::Nombre || suyo != reales.end())
-            return p[i].clase == Palabra::Nombre && suyo->second;
-        return es(i + 1, {"("}) && daReales(que);
+        if (p[i].clase != Palabra::Nombre)
+            return p[i].clase == Palabra::Numero && !entero(i, valor);
+        const auto suyo = reales.find(p[i].texto);
+        return suyo != reales.end() ? suyo->second : es(i + 1, {"("}) && daReales(i);
     }
     // Una función de GLSL o un constructor.
-    bool daReales(const std::string &nombre) const {
-        static const Nombres OTRAS = {"textureSize", "texelFetch", "if", "while", "for", "switch", "return"};
-        return esDeGlsl(nombre) ? deReales(nombre) : !OTRAS.count(nombre) && !DE_LO_QUE_LE_DEN.count(nombre);
+    bool daReales(std::size_t i) const {
+        return esDeGlsl(p[i].texto)
+                   ? deReales(p[i].texto)
+                   : !es(i, DE_LO_QUE_LE_DEN) &&
+                         !es(i, {"textureSize", "texelFetch", "if", "while", "for", "switch", "return"});
     }
 
     void apuntaDeclarados() {
@@ -93,8 +90,18 @@ class Divisiones {
         }
     }
 
+    bool estaEscrita(const std::string &division) const {
+        const auto sigue = [&](std::size_t i) {
+            return i < fuente.size() && (fuente[i] == '.' || (fuente[i] >= '0' && fuente[i] <= '9'));
+        };
+        std::size_t i = fuente.find(division);
+        while (i != fuente.npos && (sigue(i - 1) || sigue(i + division.size())))
+            i = fuente.find(division, i + 1);
+        return i != fuente.npos;
+    }
+
     // Si lo que hay de la palabra a a la b, que da ese cociente, acaba entre reales.
-    bool acabaEntreReales(std::size_t a, std::size_t b, long long cociente) const {
+    bool acabaEntreReales(std::size_t a, std::size_t b, long long cociente, int quedan = 100) const {
         static const Nombres CORTA = {",", ";", "?", ":", "&&", "||"};
         const std::size_t desde = a, hasta = b;
         bool condicion = false; // a la izquierda de ? : && || y hasta el =, no es con lo que se opera
@@ -113,17 +120,21 @@ class Divisiones {
             a = otra(a, -1);
         if (!es(a, {"("}))
             return false;
-        const std::string &funcion = p[a - 1].texto;
         const std::size_t fin = otra(a, 1) - 1;
         const bool igual = es(a - 1, DE_LO_QUE_LE_DEN);
         if (igual || p[a - 1].clase != Palabra::Nombre)
-            return (cociente == 0 || sola) && acabaEntreReales(a - igual, fin, cociente);
+            return quedan && (cociente == 0 || sola) &&
+                   acabaEntreReales(a - igual, fin, cociente, quedan - 1);
         // float(n / 2) puede ser a propósito
-        return !reales.count(funcion) && daReales(funcion) && (!esDeGlsl(funcion) || (cociente == 0 && sola));
+        return !reales.count(p[a - 1].texto) && daReales(a - 1) &&
+               (!esDeGlsl(p[a - 1].texto) || (cociente == 0 && sola));
     }
 
 public:
     explicit Divisiones(const std::string &texto) : fuente(texto), p(preprocesa(texto).palabras) {
+        fuente.erase(
+            std::remove_if(fuente.begin(), fuente.end(), [](char c) { return c == ' ' || c == '\t'; }),
+            fuente.end());
         p.insert(p.begin(), Palabra());
         p.push_back(Palabra());
         apuntaDeclarados();
@@ -142,8 +153,7 @@ public:
                 d.dividendo % d.divisor == 0)
                 continue;
             // con un cociente que no es 0, puede ser la mitad de un tamaño: n / 2
-            const std::string a = std::to_string(d.dividendo), b = std::to_string(d.divisor);
-            const bool escrita = std::regex_search(fuente, std::regex("\\b" + a + "\\s*/\\s*" + b + "\\b"));
+            const bool escrita = estaEscrita(std::to_string(d.dividendo) + "/" + std::to_string(d.divisor));
             if ((escrita || d.dividendo < d.divisor) &&
                 acabaEntreReales(i - 1, i + 1, d.dividendo / d.divisor))
                 hay.push_back(d);

@@ -291,6 +291,8 @@ void Sospechas::pon(int gravedad, int orden, const Dicho &dicho) {
 
 // Lo que se ve en el texto de los dos shaders, con su línea.
 void Sospechas::deShaders(int n) {
+    if (!leidos.insert(entero(GL_CURRENT_PROGRAM)).second)
+        return;
     for (const auto &[etapa, tipo] : {std::pair("vert", GL_VERTEX_SHADER), {"frag", GL_FRAGMENT_SHADER}})
         for (const Division &d : divisionesEnteras(fuentesDelPrograma(GLenum(tipo)))) {
             const std::string a = std::to_string(d.dividendo), b = std::to_string(d.divisor);

@@ -36,6 +36,7 @@ class Sospechas {
     struct Indices {
         std::intptr_t cadaUno = 4, hay = 0, hasta = 0; // en bytes
     };
+    std::set<GLint> leidos;           // los programas cuyos shaders se han leído
     std::map<GLint, Indices> indices; // de cada buffer, los que se usan
 
     void pon(int gravedad, int orden, const std::string &dice, const std::string &prueba,
