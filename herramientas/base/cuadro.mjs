@@ -115,7 +115,8 @@ function lecturaDe({ escrito, motivo, filtro, lambda, niveles, texels, suma, val
   const color = (v, cifras) => [muestra(v.map(c => 255 * c)), vector(v, cifras)];
   const fila = t => h('tr', {}, h('td', {}, t.nivel), h('td', {}, vector(t.texel)), h('td', {}, cifra(t.peso, 3)),
     h('td', {}, color(t.color, 3)));
-  return h('details', { class: 'lectura' }, h('summary', {}, `${cara && `cara ${cara}, `}${filtro}, λ = ${cifra(lambda, 3)}: `,
+  const como = `${cara && `cara ${cara}, `}${filtro}, λ = ${cifra(lambda, 3)}: `;
+  return h('details', { class: 'lectura' }, h('summary', {}, como,
     niveles.map(deNivel).join(' + ')),
   h('p', {}, `${escrito}. Un píxel abarca 2^λ texels: si λ no es positiva, la textura se amplía.`),
   h('table', {}, h('tr', {}, ['nivel', 'texel', 'pesa', ''].map(t => h('th', {}, t))), texels.map(fila)),

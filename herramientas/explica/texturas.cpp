@@ -252,7 +252,8 @@ std::optional<Suma> laMejor(const Muestra &m, const std::vector<double> &leido) 
     if (m.conNivel) // λ es lo que dice
         mayor = exacta = 1;
     std::optional<Suma> mejor;
-    for (const double rho : {exacta, mayor, 0.98 * exacta, 1.02 * exacta}) // el logaritmo puede ser aproximado
+    for (const double rho :
+         {exacta, mayor, 0.98 * exacta, 1.02 * exacta}) // el logaritmo puede ser aproximado
         for (const bool aprisa : {false, true})
             if (const auto otra = sumaDe(mezclaDe(m, rho, aprisa), m, leido, texels);
                 otra && (!mejor || otra->error < mejor->error - 1e-6))
