@@ -59,15 +59,20 @@ function mezclaDe(mezcla) {
 const tabla = (clase, titulos, ...filas) => h('div', { class: 'tabla' }, h('table', { class: clase },
   h('thead', {}, h('tr', {}, titulos.map(texto => h('th', {}, texto)))), h('tbody', {}, ...filas)));
 
+/** «triángulo 11.º»: el primero es el 1.º; de un punto, también su gl_VertexID, que se cuenta desde 0. */
+function primitivaDe({ tipo, primitiva, vertices }) {
+  const numero = vertices?.length === 1 ? ` (gl_VertexID ${vertices[0]})` : '';
+  return tipo ? `${tipo} ${primitiva + 1}.º${numero}` : '';
+}
+
 function historia(datos, elige) {
   const ordenes = new Map(datos.ordenes.map(o => [o.n, o]));
   const fila = suceso => {
     const orden = ordenes.get(suceso.orden);
-    const quien = suceso.tipo ? `${suceso.tipo} ${suceso.primitiva}` : '';
     const color = suceso.color?.map(c => (typeof c === 'number' ? c * 255 : c));
     return h('tr', { class: suceso.veredicto },
       h('td', {}, h('button', { title: 'La orden, más abajo', onclick: () => elige(suceso.orden, true) },
-        suceso.orden)), h('td', {}, tituloDe(orden), sitioDe(orden)), h('td', {}, quien),
+        suceso.orden)), h('td', {}, tituloDe(orden), sitioDe(orden)), h('td', {}, primitivaDe(suceso)),
       h('td', {}, color ? h('span', { class: 'color' }, muestra(color), vector(suceso.color.slice(0, 4), 3)) : ''),
       h('td', {}, suceso.profundidad === undefined ? '' : cifra(suceso.profundidad, 6)),
       h('td', {}, suceso.dice, mezclaDe(suceso.mezcla)),
@@ -81,7 +86,7 @@ function historia(datos, elige) {
 function loQueFalta(datos) {
   const ordenes = new Map(datos.ordenes.map(o => [o.n, o]));
   const habria = datos.historia.filter(s => s.soloEsa).sort((a, b) => (a.profundidad ?? 1) - (b.profundidad ?? 1));
-  const quien = s => `${s.tipo} ${s.primitiva} de la orden ${s.orden}, ${tituloDe(ordenes.get(s.orden))}: ${s.dice}`;
+  const quien = s => `${primitivaDe(s)} de la orden ${s.orden}, ${tituloDe(ordenes.get(s.orden))}: ${s.dice}`;
   const nada = datos.ordenes.filter(o => o.nada).map(o => `${o.n} · ${tituloDe(o)}: ${o.nada}`);
   const [titulo, filas] = habria.length
     ? ['Lo que no se ve por una sola prueba, de más cerca a más lejos', habria.map(quien)]
@@ -104,17 +109,30 @@ function valorDe({ tipo, valor }) {
 const ESCRITO = { entra: 'se entra', vuelve: 'se vuelve', descarta: 'discard', caso: 'este caso' };
 
 /** Lo que se lee de una textura: con qué filtro, de qué niveles y de qué texels, con lo que pesa cada uno. */
-function lecturaDe({ escrito, motivo, filtro, lambda, niveles, texels, suma, valor }) {
+function lecturaDe({ escrito, motivo, filtro, lambda, niveles, texels, suma, valor, cara, seguido }) {
   if (motivo) return h('p', {}, h('i', {}, `${escrito}: ${motivo}`));
   const deNivel = n => `nivel ${n.nivel}${n.peso < 1 ? ` · ${cifra(n.peso, 3)}` : ''}`;
   const color = (v, cifras) => [muestra(v.map(c => 255 * c)), vector(v, cifras)];
   const fila = t => h('tr', {}, h('td', {}, t.nivel), h('td', {}, vector(t.texel)), h('td', {}, cifra(t.peso, 3)),
     h('td', {}, color(t.color, 3)));
-  return h('details', { class: 'lectura' }, h('summary', {}, `${filtro}, λ = ${cifra(lambda, 3)}: `,
+  const como = `${cara && `cara ${cara}, `}${filtro}, λ = ${cifra(lambda, 3)}: `;
+  return h('details', { class: 'lectura' }, h('summary', {}, como,
     niveles.map(deNivel).join(' + ')),
   h('p', {}, `${escrito}. Un píxel abarca 2^λ texels: si λ no es positiva, la textura se amplía.`),
   h('table', {}, h('tr', {}, ['nivel', 'texel', 'pesa', ''].map(t => h('th', {}, t))), texels.map(fila)),
-  h('p', {}, 'suman ', color(suma, 4), '; se ha leído ', color(valor, 4)));
+  h('p', {}, 'suman ', color(suma, 4), '; se ha leído ', color(valor, 4)),
+  seguido ? h('p', {}, `Se pinta en el framebuffer ${seguido.framebuffer}: `,
+    h('a', { href: `#${idDe(seguido)}` }, `por qué el texel ${vector(seguido.pixel)} tiene ese color`)) : '');
+}
+
+const idDe = ({ lee, textura }) => `texel-${lee}-${textura}`;
+
+/** Los texels de las texturas que se pintan en el mismo cuadro, cada uno explicado como el píxel. */
+function texelsDe(datos, elige) {
+  return (datos.texels ?? []).flatMap(texel => [
+    h('h2', { id: idDe(texel) }, `El texel ${vector(texel.pixel)} que lee la orden ${texel.lee}, en el framebuffer ` +
+      texel.framebuffer), h('p', {}, 'Queda de color ', conMuestra(texel.color), '.'),
+    historia({ ...datos, ...texel }, elige), ...sombreadoDe({ ...datos, ...texel })]);
 }
 
 /** Cada línea de un shader y, a su lado, lo que vale lo que se calcula en ella; en gris, las que no se ejecutan. */
@@ -158,7 +176,7 @@ function interpolacion(sombreado) {
   const salidas = vertice => new Map(vertice.lineas.filter(l => l.clase === 'salida').map(l => [l.nombre, l]));
   const suyas = sombreado.vertices.map(salidas);
   const nombres = [...(suyas[0]?.keys() ?? [])];
-  const titulos = ['', ...sombreado.vertices.map(v => `vértice ${v.indice}`), 'en el píxel'];
+  const titulos = ['', ...sombreado.vertices.map(v => `gl_VertexID ${v.indice}`), 'en el píxel'];
   const peso = (titulo, pesos) => pesos && h('tr', {}, h('th', {}, titulo), pesos.map(p => h('td', {}, cifra(p))),
     h('td'));
   const fila = nombre => {
@@ -176,16 +194,18 @@ function sombreadoDe(datos) {
   if (!sombreado?.fragmento) return [];
   const { programa } = datos.ordenes.find(o => o.n === sombreado.orden);
   const suyo = datos.programas.find(p => p.programa === programa);
+  const lecturas = (sombreado.lecturas ?? []).map(l =>
+    ({ ...l, seguido: datos.texels?.find(t => t.textura === l.textura && t.lee === sombreado.orden) }));
   const partes = [];
   if (sombreado.vertices.length) {
     const [primero] = sombreado.vertices;
-    const titulo = h('summary', {}, `El vertex shader en el vértice ${primero.indice}`);
+    const titulo = h('summary', {}, `El vertex shader en el vértice con gl_VertexID ${primero.indice}`);
     partes.push(h('h2', {}, 'Sus vértices, y lo que llega al píxel'), interpolacion(sombreado),
       h('details', {}, titulo, fuenteDe(suyo.vert, primero)));
   }
   const { motivo } = sombreado.fragmento;
   partes.push(h('h2', {}, 'El shader que le da el color, línea a línea'),
-    motivo ? h('p', { class: 'malo' }, motivo) : '', fuenteDe(suyo.frag, sombreado.fragmento, sombreado.lecturas));
+    motivo ? h('p', { class: 'malo' }, motivo) : '', fuenteDe(suyo.frag, sombreado.fragmento, lecturas));
   return partes;
 }
 
@@ -316,11 +336,13 @@ const deAtributo = a => (a.activo
   ? `${a.componentes} ${a.de} cada ${a.paso} bytes desde el ${a.desplazamiento}; ` +
     a.primeros.map(v => vector(v.slice(0, a.componentes), 3)).join(' ')
   : 'ningún array');
-const deTextura = t => [`${t.objetivo} ${t.talla.join('×')} ${t.formato}`,
-  [t.reduce, t.amplia].filter(Boolean).join(', '), t.repite, t.incompleta].filter(Boolean).join('; ');
+const deTextura = (t, pinta) => [`${t.objetivo} ${t.talla.join('×')} ${t.formato}`,
+  [t.reduce, t.amplia].filter(Boolean).join(', '), t.repite, t.incompleta,
+  pinta && `la pinta la orden ${pinta.n}, en el ${pinta.framebuffer}`].filter(Boolean).join('; ');
 
 /** Lo que le llega a una orden: de cada caja, su título y sus filas, con el nombre que tiene en los shaders. */
-function fuentesDe({ atributos, uniformes, texturas, vao }) {
+function fuentesDe({ n, cableado: { atributos, uniformes, texturas, vao } }, ordenes) {
+  const quienPinta = t => ordenes.findLast(o => o.n < n && o.pinta && o.pinta === t.textura);
   const filas = (lista, nombre, dice, falta) => lista.map(cosa =>
     ({ nombre: cosa[nombre], dice: dice(cosa), falta: falta(cosa), sitio: cosa.sitio }));
   const caja = (titulo, lista) => ({ titulo, filas: lista });
@@ -331,20 +353,21 @@ function fuentesDe({ atributos, uniformes, texturas, vao }) {
     caja('Uniforms', filas(uniformes.filter(u => !texturas.some(t => t.sampler === u.nombre)), 'nombre',
       u => `${u.tipo} ${u.dado ? vector(u.valor, 3) : 'sin valor'}`, u => !u.dado)),
     ...texturas.map(t => caja(`Unidad ${t.unidad} · textura ${t.textura}`,
-      filas([t], 'sampler', deTextura, () => Boolean(t.incompleta)))),
+      filas([t], 'sampler', () => deTextura(t, quienPinta(t)), () => Boolean(t.incompleta)))),
   ].filter(({ filas: suyas }) => suyas.length);
 }
 
 /** De dónde le llega a una orden lo que dibuja y a qué shader, con una línea de cada cosa al que la usa; en negrita, lo
  *  que no era así en la orden anterior. */
-function cableadoDe(orden, anterior, programa) {
+function cableadoDe(orden, anterior, { programas, ordenes }) {
+  const programa = programas.find(p => p.programa === orden.programa);
   const antes = new Map(anterior?.cableado
-    ? fuentesDe(anterior.cableado).flatMap(({ titulo, filas }) => filas.map(f => [f.nombre, titulo + f.dice])) : []);
+    ? fuentesDe(anterior, ordenes).flatMap(({ titulo, filas }) => filas.map(f => [f.nombre, titulo + f.dice])) : []);
   const usa = (etapa, nombre) => (programa?.[etapa] ?? []).some(({ texto }) =>
     new RegExp(`\\b${nombre.match(/^\w+/)[0]}\\b`).test(texto.replace(/\/\/.*/, '')));
   const pares = [], shaders = [['vert', 'Vertex shader'], ['frag', 'Fragment shader']].map(([etapa, titulo]) =>
     ({ etapa, titulo, filas: [] }));
-  const izquierda = fuentesDe(orden.cableado).map(({ titulo, filas }) => h('section', {}, h('h4', {}, titulo),
+  const izquierda = fuentesDe(orden, ordenes).map(({ titulo, filas }) => h('section', {}, h('h4', {}, titulo),
     h('ul', {}, filas.map(({ nombre, dice, falta, sitio }) => {
       const clase = falta ? 'malo' : antes.size && antes.get(nombre) !== titulo + dice ? 'cambia' : '';
       const fila = h('li', {}, h('code', {}, nombre), ' ', h('span', { class: clase }, dice), sitioDe({ sitio }));
@@ -381,7 +404,7 @@ function detalle(datos, indice) {
   return [h('h3', {}, `${orden.n} · ${tituloDe(orden)}`),
     h('p', {}, h('code', {}, orden.llamada), `, en ${orden.framebuffer}${cuantos}. `, sitioDe(orden, true)),
     h('div', { class: 'laminas' }, laminas), orden.estado.length ? estadoDe(orden, anterior) : '',
-    orden.cableado ? cableadoDe(orden, anterior, datos.programas.find(p => p.programa === orden.programa)) : ''];
+    orden.cableado ? cableadoDe(orden, anterior, datos) : ''];
 }
 
 function ordenesDe(datos) {
@@ -417,11 +440,11 @@ function resumen(datos, conImagen) {
   const partes = [];
   if (datos.sospechas.length)
     partes.push(h('ul', { class: 'sospechas' }, datos.sospechas.map(s => h('li', {}, `${s.dice}. ${s.prueba} `,
-      sitioDe(datos.ordenes.find(o => o.n === s.orden) ?? {}, true)))));
+      sitioDe(s.sitio ? s : datos.ordenes.find(o => o.n === s.orden) ?? {}, true)))));
   if (!datos.pixel) return partes;
   const ultimo = quienGana(datos);
   const orden = ultimo && datos.ordenes.find(o => o.n === ultimo.orden);
-  const suya = ultimo?.tipo ? `el ${ultimo.tipo} ${ultimo.primitiva} de ` : '';
+  const suya = ultimo?.tipo ? `el ${primitivaDe(ultimo)} de ` : '';
   const quien = orden && `${suya}la orden ${orden.n}, ${tituloDe(orden)}`;
   const desde = orden?.sitio ? [', en ', sitioDe(orden, true)] : [];
   const marcas = marca('pixel', [...datos.pixel, 1, 1], datos.talla);
@@ -440,7 +463,7 @@ export function muestraCuadro(datos, contenedor, { conImagen = true } = {}) {
   const veces = datos.historia?.filter(s => s.veredicto === 'escrito').length, titulo = 'La historia del píxel';
   if (datos.pixel) partes.push(h('h2', {}, veces > 2 ? `${titulo}: escrito ${veces} veces` : titulo),
     historia(datos, elige), ...loQueFalta(datos),
-    ...sombreadoDe(datos), ...mallaDe(datos.sombreado ?? {}));
+    ...sombreadoDe(datos), ...mallaDe(datos.sombreado ?? {}), ...texelsDe(datos, elige));
   partes.push(h('h2', {}, 'El cuadro, orden a orden'), elemento);
   if (typeof datos.veces?.imagen === 'string') partes.push(h('div', { style: `max-width: ${ANCHO}px` },
     lamina(datos.veces.imagen, `Cuántas órdenes cambian cada píxel: en blanco, ${datos.veces.maximo}`)));

@@ -30,11 +30,16 @@ Reescrito Reescritor::hace() {
     std::string cuerpoDelShader;
     while (ahora().clase != Palabra::Fin)
         cuerpoDelShader += global() + "\n";
-    for (Nota &nota : r.notas)
-        if (nota.clase == Clase::Lee && nota.nombre.find('/') != nota.nombre.npos && nota.tipo == "vec4") {
-            const std::set<std::string> texturas = deDonde(nota.nombre, 20);
-            nota.nombre = texturas.size() == 1 ? *texturas.begin() : "";
+    for (std::size_t k = 0; k < r.notas.size(); ++k) {
+        std::string &textura = r.notas[k].nombre; // de las cuatro notas de una lectura, la primera
+        if (r.notas[k].clase != Clase::Lee)
+            continue;
+        if (textura.find('/') != textura.npos) {
+            const std::set<std::string> texturas = deDonde(textura, 20);
+            textura = texturas.size() == 1 ? *texturas.begin() : "";
         }
+        k += 3;
+    }
     const bool enES = cabeceraDelShader.find(" es\n") != std::string::npos;
     r.fuente = cabeceraDelShader;
     if (fragmento && !enES)

@@ -30,6 +30,12 @@ struct Cuadro {
     Json sombreado;
     Sospechas sospechas;
     std::vector<Copia> copias;
+    struct Pintada {
+        int numero;
+        GLuint textura, framebuffer;
+    };
+    std::vector<Pintada> pintadas; // las texturas, al dibujar en un framebuffer que tiene una
+    GLuint framebuffer = 0; // el del píxel que se explica: la ventana o, de una textura, el que la pinta
     std::map<GLuint, Punto> pixel; // en cada framebuffer
     std::set<GLuint> programas;
 } c;
@@ -39,6 +45,8 @@ void apuntaOrden(const Orden &orden) {
     const Lienzo lienzo = lienzoActual(c.ancho, c.alto);
     Json json = describe(orden, lienzo);
     json.pon("pila", pilaActual());
+    if (lienzo.textura)
+        c.pintadas.push_back({c.numero, lienzo.textura, lienzo.nombre});
     const bool dibuja = orden.que == Orden::Que::Dibuja;
     const Cableado cableado = dibuja ? cableadoActual(c.que.sumas) : Cableado();
     c.sospechas.antes(orden, lienzo, cableado, c.numero);
@@ -69,7 +77,11 @@ void llegaOrden(const Orden &orden) {
     if (c.pasada == c.LISTA)
         return apuntaOrden(orden);
     const auto suyo = c.pixel.find(GLuint(entero(GL_DRAW_FRAMEBUFFER_BINDING)));
-    const bool seMira = suyo != c.pixel.end();
+    const auto &[textura, hasta] = c.que.textura;
+    const bool seMira =
+        suyo != c.pixel.end() &&
+        (!textura || (c.numero < hasta &&
+                      (suyo->first != c.framebuffer || lienzoActual(c.ancho, c.alto).textura == textura)));
     if (c.pasada == c.PIXEL ? !seMira : c.numero != c.ordenSombreada)
         return orden.hazla();
     const Lienzo lienzo = lienzoActual(c.ancho, c.alto);
@@ -91,9 +103,9 @@ void llegaOrden(const Orden &orden) {
     orden.hazla();
 }
 
-// El píxel del framebuffer de que viene, por una copia, ese de la ventana; y así hacia atrás.
+// El píxel del framebuffer de que viene, por una copia, ese; y así hacia atrás.
 std::map<GLuint, Punto> enCadaFramebuffer(Punto p) {
-    std::map<GLuint, Punto> donde = {{0, p}};
+    std::map<GLuint, Punto> donde = {{c.framebuffer, p}};
     for (auto copia = c.copias.rbegin(); copia != c.copias.rend(); ++copia) {
         const auto suyo = donde.find(copia->destino);
         if (suyo == donde.end())
@@ -114,10 +126,10 @@ void pasa(Cuadro::Pasada pasada, void (*dibuja)()) {
     c.pasada = c.NADA;
 }
 
-// Lo último que se escribe con una primitiva, si después no se borra: en la ventana o, si lo que llega a ella es una
+// Lo último que se escribe con una primitiva, si después no se borra: donde se mira o, si lo que llega ahí es una
 // copia, en el framebuffer de que se copia. `cambia`: de lo que cambia algo.
 const Suceso *quienGana(bool cambia) {
-    GLuint framebuffer = 0;
+    GLuint framebuffer = c.framebuffer;
     for (auto s = c.sucesos.rbegin(); s != c.sucesos.rend(); ++s) {
         if (s->framebuffer != framebuffer || s->veredicto != "escrito" || (cambia && !s->cambia))
             continue;
@@ -135,8 +147,13 @@ const Suceso *quienGana(bool cambia) {
 Json explicaPixel(void (*dibuja)(), Punto pedido) {
     c.sucesos.clear();
     c.sombreado = Json();
-    const Punto p = {pedido.x, c.alto - 1 - pedido.y};
-    c.pixel = {{0, p}};
+    const auto &[textura, hasta] = c.que.textura;
+    const Punto p = {pedido.x, textura ? pedido.y : c.alto - 1 - pedido.y};
+    c.framebuffer = 0;
+    for (const auto &pintada : c.pintadas)
+        if (pintada.textura == textura && pintada.numero < hasta)
+            c.framebuffer = pintada.framebuffer;
+    c.pixel = {{c.framebuffer, p}};
     if (!EN_WEB) // ahí los demás framebuffers no se pueden leer
         c.pixel = enCadaFramebuffer(p);
     pasa(c.PIXEL, dibuja);
@@ -149,12 +166,21 @@ Json explicaPixel(void (*dibuja)(), Punto pedido) {
     const Guardado guardado;
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
     const Lienzo ventana = lienzoActual(c.ancho, c.alto);
-    const Color color = leeColor(ventana, p.x, p.y);
-    siLoCambiaOtro(ventana, color, c.sucesos);
+    std::optional<Color> color;
+    if (!textura) {
+        color = leeColor(ventana, p.x, p.y);
+        siLoCambiaOtro(ventana, color, c.sucesos);
+    }
     std::vector<Json> historia;
-    for (const Suceso &s : c.sucesos)
+    for (const Suceso &s : c.sucesos) {
         historia.push_back(s.json);
-    Json json = {{"pixel", std::array<int, 2>{pedido.x, pedido.y}}, {"color", color}, {"historia", historia}};
+        if (textura && s.framebuffer == c.framebuffer) // después puede cambiar
+            color = s.queda;
+    }
+    Json json = {{"pixel", std::array<int, 2>{pedido.x, pedido.y}},
+                 {"framebuffer", c.framebuffer},
+                 {"color", color},
+                 {"historia", historia}};
     if (c.ordenSombreada)
         json.pon("sombreado",
                  c.sombreado.pon("orden", c.ordenSombreada).pon("primitiva", c.primitivaSombreada));

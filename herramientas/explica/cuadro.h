@@ -11,7 +11,8 @@ struct Pedido {
     bool imagenes = false,
          sumas = false;              // lo que va quedando en cada framebuffer; y de lo que hay en cada array
     std::vector<Punto> pixeles = {}; // desde arriba a la izquierda
-    std::pair<int, int> sombrea = {0, -1}; // otra primitiva, y no la de quien gana: su orden y su número
+    std::pair<int, int> sombrea = {0, -1};   // otra primitiva, y no la de quien gana: su orden y su número
+    std::pair<GLuint, int> textura = {0, 0}; // los píxeles, desde abajo, de esa, como la encuentra esa orden
 };
 
 std::string explica(void (*dibuja)(), int ancho, int alto, const Pedido &que);

@@ -56,7 +56,7 @@ bool Reescritor::conoce(std::size_t desde, std::size_t hasta, long long &valor) 
         suyo = que ? que->valor : 0;
         return que && que->conocido;
     };
-    return evalua(&p[desde], &p[hasta], deNombre, valor);
+    return desde < hasta && evalua(&p[desde], &p[hasta], deNombre, valor); // const int n; no es nada
 }
 
 std::string Reescritor::corchetes(Tipo &tipo) {

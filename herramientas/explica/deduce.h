@@ -47,4 +47,11 @@ struct Iluminacion {
 Dicho deIluminacion(const Iluminacion &shaders, const Productos &productos,
                     const std::vector<Matriz> &matrices);
 
+/// Una división de constantes enteras que pierde el resto y acaba entre reales, «1 / 2», en esa línea del shader.
+struct Division {
+    int linea;
+    long long dividendo, divisor;
+};
+std::vector<Division> divisionesEnteras(const std::string &fuente);
+
 } // namespace explica

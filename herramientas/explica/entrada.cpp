@@ -1,8 +1,9 @@
 // Se antepone (LD_PRELOAD) a un programa enlazado sin ventana: define las funciones de OpenGL que escriben píxeles y,
 // cuando acaba el guion, deja en $LAB_EXPLICA, en JSON, el cuadro explicado (cuadro.h) y los píxeles de
 // $LAB_EXPLICA_PIXELES («240,140 30,20», desde arriba a la izquierda). Si se pide, con los shaders de otra primitiva:
-// $LAB_EXPLICA_SOMBREA («7,3», la 3 de la orden 7). Con LAB_EXPLICA_IMAGENES=1, también lo que va quedando en cada
-// framebuffer; con LAB_EXPLICA_SUMAS=1, una suma de lo que hay en cada array y textura.
+// $LAB_EXPLICA_SOMBREA («7,3», la 3 de la orden 7). Con $LAB_EXPLICA_TEXTURA («2,9», la 2 como la lee la orden 9), los
+// píxeles son, desde abajo, los del framebuffer en que se pinta. Con LAB_EXPLICA_IMAGENES=1, también lo que va quedando
+// en cada framebuffer; con LAB_EXPLICA_SUMAS=1, una suma de lo que hay en cada array y textura.
 #include "cuadro.h"
 #include <cstdlib>
 #include <dlfcn.h>
@@ -47,6 +48,7 @@ void explicaCuadro(void (*dibuja)(), int ancho, int alto) {
     for (Punto p; pedidos >> p.x >> coma >> p.y;)
         que.pixeles.push_back(p);
     std::istringstream(variable("LAB_EXPLICA_SOMBREA")) >> que.sombrea.first >> coma >> que.sombrea.second;
+    std::istringstream(variable("LAB_EXPLICA_TEXTURA")) >> que.textura.first >> coma >> que.textura.second;
     std::ofstream(fichero) << explica::explica(dibuja, ancho, alto, que) << '\n';
 }
 

@@ -62,19 +62,20 @@ void pon(GLenum interruptor, bool activo) {
 
 namespace {
 
+GLint delAdjunto(GLenum objetivo, GLenum adjunto, GLenum que) {
+    return contesta(glGetFramebufferAttachmentParameteriv, objetivo, adjunto, que);
+}
+
 bool hayAdjunto(GLenum objetivo, GLenum adjunto) {
-    return contesta(glGetFramebufferAttachmentParameteriv, objetivo, adjunto,
-                    GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) != GL_NONE;
+    return delAdjunto(objetivo, adjunto, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) != GL_NONE;
 }
 
 // La talla y el formato de lo que hay adjunto, sea textura o renderbuffer.
 void mide(GLenum objetivo, GLenum adjunto, Lienzo &lienzo) {
-    const GLint tipo = contesta(glGetFramebufferAttachmentParameteriv, objetivo, adjunto,
-                                GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE);
+    const GLint tipo = delAdjunto(objetivo, adjunto, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE);
     if (tipo == GL_NONE)
         return;
-    const GLuint nombre = GLuint(contesta(glGetFramebufferAttachmentParameteriv, objetivo, adjunto,
-                                          GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME));
+    const GLuint nombre = GLuint(delAdjunto(objetivo, adjunto, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME));
     if (tipo == GL_RENDERBUFFER) {
         const GLint antes = entero(GL_RENDERBUFFER_BINDING);
         glBindRenderbuffer(GL_RENDERBUFFER, nombre);
@@ -85,10 +86,9 @@ void mide(GLenum objetivo, GLenum adjunto, Lienzo &lienzo) {
             GLenum(contesta(glGetRenderbufferParameteriv, GL_RENDERBUFFER, GL_RENDERBUFFER_INTERNAL_FORMAT));
         glBindRenderbuffer(GL_RENDERBUFFER, GLuint(antes));
     } else {
-        const GLint nivel = contesta(glGetFramebufferAttachmentParameteriv, objetivo, adjunto,
-                                     GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_LEVEL);
-        const GLint cara = contesta(glGetFramebufferAttachmentParameteriv, objetivo, adjunto,
-                                    GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_CUBE_MAP_FACE);
+        const GLint nivel = delAdjunto(objetivo, adjunto, GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_LEVEL);
+        const GLint cara = delAdjunto(objetivo, adjunto, GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_CUBE_MAP_FACE);
+        lienzo.textura = nivel || cara ? 0 : nombre;
         const GLenum cual = cara ? GL_TEXTURE_CUBE_MAP : GL_TEXTURE_2D;
         const GLint antes = entero(cara ? GL_TEXTURE_BINDING_CUBE_MAP : GL_TEXTURE_BINDING_2D);
         glBindTexture(cual, nombre);
@@ -108,9 +108,7 @@ void mide(GLenum objetivo, GLenum adjunto, Lienzo &lienzo) {
 } // namespace
 
 int bitsDe(GLenum objetivo, GLenum adjunto, GLenum cual) {
-    return hayAdjunto(objetivo, adjunto)
-               ? contesta(glGetFramebufferAttachmentParameteriv, objetivo, adjunto, cual)
-               : 0;
+    return hayAdjunto(objetivo, adjunto) ? delAdjunto(objetivo, adjunto, cual) : 0;
 }
 
 Lienzo lienzoActual(int ancho, int alto, GLenum objetivo) {
@@ -129,10 +127,10 @@ Lienzo lienzoActual(int ancho, int alto, GLenum objetivo) {
     l.bitsProfundidad = bitsDe(objetivo, profundidad, GL_FRAMEBUFFER_ATTACHMENT_DEPTH_SIZE);
     l.bitsPlantilla = bitsDe(objetivo, plantilla, GL_FRAMEBUFFER_ATTACHMENT_STENCIL_SIZE);
     mide(objetivo, profundidad, l);
+    l.textura = 0;
     if (l.buferColor != GL_NONE && hayAdjunto(objetivo, l.buferColor)) {
         mide(objetivo, l.buferColor, l);
-        l.componentes = GLenum(contesta(glGetFramebufferAttachmentParameteriv, objetivo, l.buferColor,
-                                        GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE));
+        l.componentes = GLenum(delAdjunto(objetivo, l.buferColor, GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE));
     } else {
         l.buferColor = GL_NONE;
     }

@@ -30,7 +30,8 @@ public:
 
 /// Un framebuffer, con lo que se puede leer de él.
 struct Lienzo {
-    GLuint nombre = 0; // 0: la ventana
+    GLuint nombre = 0;  // 0: la ventana
+    GLuint textura = 0; // la de su color, si lo que se ve de ella es todo ese framebuffer
     int ancho = 0, alto = 0, muestras = 0, bitsProfundidad = 0, bitsPlantilla = 0;
     GLenum buferColor = GL_NONE; // en el que se escribe el color
     GLenum formato = GL_RGBA8, componentes = GL_UNSIGNED_NORMALIZED;

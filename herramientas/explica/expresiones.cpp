@@ -216,25 +216,28 @@ std::set<std::string> Reescritor::deDonde(const std::string &textura, int quedan
     return todas;
 }
 
-// Lo que se lee de una textura y, si es un sampler2D, con qué se sabrá de qué texels sale.
+// Lo que se lee de una textura y, si es de las que se siguen, con qué se sabrá de qué texels sale.
 void Reescritor::apuntaLectura(const std::string &funcion, Expresion &e,
                                const std::vector<Expresion> &dados) {
     const Palabra &donde = p[dados[0].desde];
     const std::string como = funcion + std::to_string(dados.size()),
                       escrito = texto(&p[dados[0].desde - 2], &p[i]);
     const std::string &base = dados[0].tipo.base;
-    if (base != "sampler2D" || (como != "texture2" && como != "texture3" && como != "textureLod3")) {
+    const int ejes = ejesDe(base);
+    if (!ejes || (como != "texture2" && como != "texture3" && como != "textureLod3")) {
         const bool entera = base[0] != 's', deSombra = base.find("Shadow") != base.npos;
         const std::string tipo = deSombra ? "float" : entera ? base.substr(0, 1) + "vec4" : "vec4";
         e.texto = envuelve(Clase::SinSeguir, donde, escrito, {tipo, nullptr, 0}, e.texto);
         return;
     }
-    const int nota = apunta(Clase::Lee, donde, texturaDe(dados[0]), "vec4");
-    apunta(Clase::Lee, donde, escrito, "vec3");
+    const std::string derivada = "vec" + std::to_string(ejes), lugar = "vec" + std::to_string(ejes + 1);
+    const int nota = apunta(Clase::Lee, donde, texturaDe(dados[0]), derivada);
+    apunta(Clase::Lee, donde, escrito, derivada);
+    apunta(Clase::Lee, donde, "", lugar);
     if (apunta(Clase::Lee, donde, "", "vec4") < 0)
         return;
     e.texto.replace(0, (funcion + " (").size(), "explica_" + como + " ( " + std::to_string(nota) + " ,");
-    lecturas.insert(como);
+    lecturas.insert({base, como});
 }
 
 std::vector<Expresion> Reescritor::argumentos(const std::string &funcion) {

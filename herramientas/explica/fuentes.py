@@ -30,6 +30,17 @@ def sitio(fuente, numero):
     return {"fichero": suya["fichero"], "linea": suya["linea"]}
 
 
+def de_sospechas(sospechas, ordenes, programas):
+    """De la que es de una línea de un shader, cuál es: el sitio de la sospecha, y no el de su orden."""
+    for sospecha in (s for s in sospechas if s.get("linea")):
+        programa = next(o["programa"] for o in ordenes if o["n"] == sospecha["orden"])
+        fuente = next(p for p in programas if p["programa"] == programa)[sospecha["etapa"]]
+        suya = sitio(fuente, sospecha["linea"])
+        nombre = Path(suya["fichero"]).name
+        dice = f"{nombre}:{suya['linea']}" if nombre else f"la línea {suya['linea']} del shader"
+        sospecha["sitio"] = {"dice": dice, "texto": fuente[sospecha["linea"] - 1]["texto"].strip()}
+
+
 def reconoce(raiz, programas):
     """Añade a cada programa de dónde sale cada línea de sus shaders. Devuelve el nombre de cada fragment shader."""
     donde = carpetas(raiz)

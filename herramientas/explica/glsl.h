@@ -23,8 +23,8 @@ enum class Clase {
     Vuelve,    // sale sin devolver nada (void); también main
     Descarta,  // discard (void): lo último que se apunta
     Salida,    // valor final de lo que da el shader
-    Lee, // de texture() o textureLod(), en tres notas: dFdx y dFdy de sus coordenadas; ellas y lo que se suma al nivel;
-         // lo leído. La primera se llama como el uniform; vacío, si según de dónde se llama es uno u otro
+    Lee, // de texture() o textureLod(), en cuatro notas: dFdx y dFdy de sus coordenadas; ellas y lo que se suma al
+    // nivel; lo leído. La primera se llama como el uniform; vacío, si según de dónde se llama es uno u otro
     SinSeguir // lo leído de otra manera, o de otra textura
 };
 

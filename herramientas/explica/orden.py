@@ -5,6 +5,7 @@ X Y es un píxel, como los da el ratón; sin él, el cuadro entero. --json FICHE
 opciones, -guion y -geometry, son del programa.
 """
 import json
+import math
 import os
 import re
 import sys
@@ -17,6 +18,7 @@ from explica import fuentes, palabras, png
 
 PLANTILLA = Path(__file__).with_name("explica.html")
 SEGUNDOS = 300
+SEGUIDOS = 3  # texels de texturas que se pintan en el mismo cuadro
 DEL_PROGRAMA = "-guion", "-geometry"
 DE_NADIE = "common", "glut", "herramientas", "build"  # lo que en la raíz no es un programa
 
@@ -43,8 +45,8 @@ def opciones(palabras_):
     return ",".join(numeros), fichero, suyas
 
 
-def ejecuta(build, ejecutable, pixel, suyas):
-    """Lo que cuenta de su cuadro."""
+def ejecuta(build, ejecutable, pixel, suyas, textura=""):
+    """Lo que cuenta de su cuadro; con `textura`, solo de ese texel suyo."""
     with tempfile.TemporaryDirectory() as carpeta:
         hecho, delante = Path(carpeta, "cuadro.json"), Path(carpeta, "explica.so")
         delante.symlink_to(build / "herramientas/explica/libexplica.so")  # LD_PRELOAD no admite blancos
@@ -53,7 +55,8 @@ def ejecuta(build, ejecutable, pixel, suyas):
             "LD_PRELOAD": " ".join([*os.environ.get("LD_PRELOAD", "").split(), "./explica.so"]),
             "LAB_EXPLICA": hecho.name,
             "LAB_EXPLICA_PIXELES": pixel,
-            "LAB_EXPLICA_IMAGENES": "1",
+            "LAB_EXPLICA_IMAGENES": "0" if textura else "1",
+            "LAB_EXPLICA_TEXTURA": textura,
         }
         orden, error = [ejecutable, *suyas, "-ppm", "cuadro.ppm"], []
         try:
@@ -90,6 +93,32 @@ def pon_sitios(raiz, cuadro, ejecutable):
             cosa["sitio"] = {**suyo, "texto": texto(suyo["ruta"], suyo["linea"])}
 
 
+def texels(cuadro, explicado):
+    """De cada textura que lee quien gana y que se ha pintado antes en ese cuadro, el texel de en medio de los que más
+    pesan en cada lectura; y quién la lee: (textura, (x, y), orden)."""
+    sombreado = explicado.get("sombreado", {})
+    pesan = {}
+    for lectura in (suya for suya in sombreado.get("lecturas", []) if not suya["motivo"]):
+        texel = max((t for t in lectura["texels"]), key=lambda t: t["peso"])
+        pintan = [o for o in cuadro["ordenes"] if o["pinta"] == lectura["textura"] and o["n"] < sombreado["orden"]]
+        if pintan and texel["nivel"] == 0 and min(texel["texel"]) >= 0:
+            pesan.setdefault(lectura["textura"], []).append(texel["texel"])
+    for textura, suyos in pesan.items():
+        medio = [sum(v) / len(suyos) for v in zip(*suyos)]
+        yield textura, min(suyos, key=lambda t: math.dist(t, medio)), sombreado["orden"]
+
+
+def sigue(cuadro, explicado, pregunta):
+    """Los texels que lee, explicados como un píxel más de ese cuadro; y los que leen ellos. `pregunta` da uno."""
+    hechos, quedan = [], [*texels(cuadro, explicado)]
+    while quedan and len(hechos) < SEGUIDOS:
+        textura, donde, orden = quedan.pop(0)
+        [suyo] = pregunta("{},{}".format(*donde), f"{textura},{orden}")["pixeles"]
+        hechos.append({**suyo, "textura": textura, "lee": orden})
+        quedan += texels(cuadro, suyo)
+    return hechos
+
+
 def completa(raiz, cuadro, nombre, titulo, suyas):
     """Con los ficheros de que sale cada shader, las miniaturas en PNG y, arriba, lo del píxel."""
     de_orden = fuentes.reconoce(raiz, cuadro["programas"])
@@ -99,8 +128,11 @@ def completa(raiz, cuadro, nombre, titulo, suyas):
                 orden[que] = png.en_url(**orden[que])
         if "programa" in orden:
             orden["frag"] = de_orden[orden["programa"]]
+    fuentes.de_sospechas(cuadro["sospechas"], cuadro["ordenes"], cuadro["programas"])
     cuadro["veces"]["imagen"] = png.en_url(**cuadro["veces"]["imagen"]) if cuadro["veces"] else None
     [pixel] = cuadro.pop("pixeles") or [{"pixel": None, "color": None, "historia": []}]
+    for texel in cuadro["texels"]:
+        texel["lineas"] = lineas(cuadro, texel.get("sombreado"))
     return {
         "programa": nombre,
         "titulo": titulo,
@@ -131,6 +163,10 @@ def main():
     pixel, fichero, suyas = opciones(resto)
     ejecutable = build / (build / "sin_ventana").read_text().strip() / capitulo / programa
     cuadro = ejecuta(build, ejecutable, pixel, suyas)
+    [explicado] = cuadro["pixeles"] or [{}]
+    cuadro["texels"] = sigue(
+        cuadro, explicado, lambda texel, textura: ejecuta(build, ejecutable, texel, suyas, textura)
+    )
     pon_sitios(raiz, cuadro, ejecutable)
     cuadro = completa(raiz, cuadro, nombre, titulo, suyas)
     if pixel and any(n >= largo for n, largo in zip(cuadro["pixel"], cuadro["talla"])):

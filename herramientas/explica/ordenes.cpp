@@ -344,11 +344,9 @@ Json describe(const Orden &o, const Lienzo &l) {
     if (o.que == Orden::Que::Dibuja)
         for (const auto &[nombre, valor] : estadoActual())
             estado.push_back(Json().pon("nombre", nombre).pon("valor", valor));
-    Json orden = {{"llamada", o.llamada},
-                  {"titulo", titulo(o)},
-                  {"pruebas", pruebas(o)},
-                  {"framebuffer", nombreLienzo(l)},
-                  {"talla", std::array<int, 2>{l.ancho, l.alto}},
+    Json orden = {{"llamada", o.llamada},  {"titulo", titulo(o)},
+                  {"pruebas", pruebas(o)}, {"framebuffer", nombreLienzo(l)},
+                  {"pinta", l.textura},    {"talla", std::array<int, 2>{l.ancho, l.alto}},
                   {"estado", estado}};
     if (const GLint programa = entero(GL_CURRENT_PROGRAM); programa && o.que == Orden::Que::Dibuja)
         orden.pon("programa", programa);

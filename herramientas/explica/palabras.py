@@ -16,14 +16,22 @@ def de_orden(orden):
     return " · ".join([orden["titulo"], *filter(None, [orden.get("frag")]), *orden["pruebas"], *donde])
 
 
+def de_primitiva(suceso):
+    """«triángulo 11.º de »: el primero es el 1.º; de un punto, también su gl_VertexID, que se cuenta desde 0."""
+    if "tipo" not in suceso:
+        return ""
+    numero = f" (gl_VertexID {suceso['vertices'][0]})" * (len(suceso["vertices"]) == 1)
+    return f"{suceso['tipo']} {suceso['primitiva'] + 1}.º{numero} de "
+
+
 def de_suceso(suceso, orden):
-    quien = f"{suceso['tipo']} {suceso['primitiva']} de {de_orden(orden)}" if "tipo" in suceso else de_orden(orden)
+    quien = de_primitiva(suceso) + de_orden(orden)
     cambia = f" → {rgb(suceso['despues'])}" if suceso["veredicto"] in ("escrito", "ajeno") else ""
     return f"{suceso['orden']:>4}  {quien}: {suceso['dice']}{cambia}"
 
 
 def de_sospecha(sospecha, ordenes):
-    suyo = ordenes.get(sospecha["orden"], {}).get("sitio")
+    suyo = sospecha.get("sitio") or ordenes.get(sospecha["orden"], {}).get("sitio")
     return f"aviso: {sospecha['dice']}. {sospecha['prueba']}" + (f" Es {suyo['dice']}." if suyo else "")
 
 
@@ -58,7 +66,8 @@ def de_lectura(lectura):
     if lectura["motivo"]:
         return de + lectura["motivo"]
     niveles = [f"nivel {n['nivel']}" + f" · {cifra(n['peso'])}" * (n["peso"] < 1) for n in lectura["niveles"]]
-    return f"{de}{lectura['filtro']}, λ = {cifra(lectura['lambda'])}, {' + '.join(niveles)}"
+    cara = f"cara {lectura['cara']}, " * bool(lectura["cara"])
+    return f"{de}{cara}{lectura['filtro']}, λ = {cifra(lectura['lambda'])}, {' + '.join(niveles)}"
 
 
 def sin_seguir(sombreado):
@@ -85,6 +94,26 @@ def lo_que_falta(historia, ordenes):
     return ["No dibujan nada:", *(f"{o['n']:>4}  {de_orden(o)}: {o['nada']}" for o in nada)] if nada else []
 
 
+def de_pixel(datos, ordenes):
+    """Su historia y, de quien gana, sus valores y lo que lee."""
+    sombreado = datos.get("sombreado", {})
+    lecturas = [de_lectura(lectura) for lectura in sombreado.get("lecturas", [])]
+    mas = [f"      y {len(lecturas) - LECTURAS} lecturas más, en la página"] * (len(lecturas) > LECTURAS)
+    return [
+        *(de_suceso(suceso, ordenes[suceso["orden"]]) for suceso in datos["historia"]),
+        *de_sombreado(datos["lineas"]),
+        *lecturas[:LECTURAS],
+        *mas,
+        *sin_seguir(sombreado),
+    ]
+
+
+def de_texel(texel, ordenes):
+    x, y = texel["pixel"]
+    que = f"el texel ({x}, {y}) que lee la orden {texel['lee']} se pinta en el framebuffer {texel['framebuffer']}"
+    return [f"{que}: {rgb(texel['color'])}", *de_pixel(texel, ordenes)]
+
+
 def cuadro(datos):
     """La historia del píxel o, si no se pide ninguno, las órdenes."""
     ordenes = {orden["n"]: orden for orden in datos["ordenes"]}
@@ -92,14 +121,9 @@ def cuadro(datos):
     if datos["pixel"]:
         x, y = datos["pixel"]
         filas += [f"{datos['programa']} en ({x}, {y}): {rgb(datos['color'])}"]
-        filas += [de_suceso(suceso, ordenes[suceso["orden"]]) for suceso in datos["historia"]]
         filas += [] if datos["historia"] else ["      ninguna orden de este cuadro lo toca"]
-        sombreado = datos.get("sombreado", {})
-        lecturas = [de_lectura(lectura) for lectura in sombreado.get("lecturas", [])]
-        mas = [f"      y {len(lecturas) - LECTURAS} lecturas más, en la página"] * (len(lecturas) > LECTURAS)
-        filas += [*de_sombreado(datos["lineas"]), *lecturas[:LECTURAS], *mas]
-        filas += sin_seguir(sombreado)
+        filas += de_pixel(datos, ordenes)
         filas += lo_que_falta(datos["historia"], ordenes)
-        return "\n".join(filas)
+        return "\n".join([*filas, *(fila for texel in datos["texels"] for fila in de_texel(texel, ordenes))])
     filas += [f"{datos['programa']}: {len(ordenes)} órdenes"]
     return "\n".join([*filas, *(f"{n:>4}  {de_orden(orden)}" for n, orden in ordenes.items())])

@@ -92,8 +92,12 @@ std::string acaba(int huecos) {
 
 } // namespace
 
+int ejesDe(const std::string &sampler) {
+    return sampler == "sampler2D" ? 2 : sampler == "sampler3D" || sampler == "samplerCube" ? 3 : 0;
+}
+
 std::string preludio(int salidas, bool fragmento, const std::set<std::string> &tipos,
-                     const std::set<std::string> &varian, const std::set<std::string> &lecturas) {
+                     const std::set<std::string> &varian, const std::set<Leida> &lecturas) {
     const int huecos = huecosDe(salidas);
     std::string s =
         "#ifdef GL_ES\nprecision highp float;\nprecision highp int;\n#endif\n" +
@@ -109,15 +113,18 @@ std::string preludio(int salidas, bool fragmento, const std::set<std::string> &t
         for (const bool mas : {true, false})
             s += t + (mas ? " explica_mas" : " explica_menos") + "(int n, inout " + t + " x) { " + t +
                  " v = x" + (mas ? "++" : "--") + "; explica_v(n, x); return v; }\n";
-    for (const std::string &lectura : lecturas) {
-        const bool conMas = lectura != "texture2",
-                   nivel = lectura == "textureLod3"; // λ es `mas`: un texel por píxel
-        s += "vec4 explica_" + lectura + "(int n, sampler2D s, vec2 c" + (conMas ? ", float mas" : "") +
-             ") { explica_v(n, " +
-             (nivel ? "vec4(1.0 / float(textureSize(s, 0).x), 0.0, 0.0, 1.0 / float(textureSize(s, 0).y))"
-                    : "vec4(dFdx(c), dFdy(c))") +
-             "); explica_v(n + 1, vec3(c, " + (conMas ? "mas" : "0.0") + ")); return explica_v(n + 2, " +
-             lectura.substr(0, lectura.size() - 1) + "(s, c" + (conMas ? ", mas" : "") + ")); }\n";
+    for (const auto &[sampler, lectura] : lecturas) {
+        const bool conMas = lectura != "texture2", nivel = lectura == "textureLod3";
+        const std::string vec = "vec" + numero(ejesDe(sampler)), mas = conMas ? ", mas" : "",
+                          lugar = "vec" + numero(ejesDe(sampler) + 1);
+        const auto derivada = [&](const char *de) { // si dice el nivel, no cuenta
+            return nivel ? vec + "(0.0)" : de + std::string("(c)");
+        };
+        s += "vec4 explica_" + lectura + "(int n, " + sampler + " s, " + vec + " c" +
+             (conMas ? ", float mas" : "") + ") { explica_v(n, " + derivada("dFdx") + "); explica_v(n + 1, " +
+             derivada("dFdy") + "); explica_v(n + 2, " + lugar + "(c, " + (conMas ? "mas" : "0.0") +
+             ")); return explica_v(n + 3, " + lectura.substr(0, lectura.size() - 1) + "(s, c" + mas +
+             ")); }\n";
     }
     return s;
 }

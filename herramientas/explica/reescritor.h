@@ -3,6 +3,7 @@
 #pragma once
 #include "glsl.h"
 #include "lexico.h"
+#include "preludio.h"
 #include "tipos.h"
 #include <map>
 #include <set>
@@ -81,7 +82,7 @@ private:
     // Lo que sale
     Reescrito r;
     std::set<std::string> tipos, varian;
-    std::set<std::string> lecturas; // «texture2», «textureLod3»: con cuántos argumentos
+    std::set<Leida> lecturas;
     std::map<std::string, std::set<std::string>> llegan; // a cada parámetro, «funcion/0», qué texturas
     std::string alEmpezar, alAcabar;
     std::set<std::string> daba; // las salidas de un fragment shader, que pasan a ser variables como las demás

@@ -260,18 +260,18 @@ std::vector<Json> lecturasDe([[maybe_unused]] GLuint programa,
     for (std::size_t i = 0; i < pasos.size() && lista.size() < LECTURAS; ++i) {
         const Nota &nota = *pasos[i].nota;
         if (nota.clase == Clase::SinSeguir)
-            lista.push_back(
-                {{"linea", nota.linea},
-                 {"escrito", nota.nombre},
-                 {"valor", pasos[i].valor},
-                 {"motivo", "no sé de qué texels sale: solo sigo texture y textureLod de un sampler2D"}});
-        if (nota.clase != Clase::Lee || i + 2 >= pasos.size())
+            lista.push_back({{"linea", nota.linea},
+                             {"escrito", nota.nombre},
+                             {"valor", pasos[i].valor},
+                             {"motivo", "no sé de qué texels sale: solo sigo texture y textureLod de un "
+                                        "sampler2D, sampler3D o samplerCube"}});
+        if (nota.clase != Clase::Lee || i + 3 >= pasos.size())
             continue;
-        const Paso &otro = pasos[i + 1], &ultimo = pasos[i + 2];
-        if (!pasos[i].valor.empty() && !otro.valor.empty() && !ultimo.valor.empty())
-            lista.push_back(deLectura(programa, {nota.linea, nota.nombre, otro.nota->nombre, pasos[i].valor,
-                                                 otro.valor, ultimo.valor}));
-        i += 2;
+        const auto valor = [&](std::size_t k) { return pasos[i + k].valor; };
+        if (!valor(0).empty() && !valor(1).empty() && !valor(2).empty() && !valor(3).empty())
+            lista.push_back(deLectura(programa, {nota.linea, nota.nombre, pasos[i + 1].nota->nombre, valor(0),
+                                                 valor(1), valor(2), valor(3)}));
+        i += 3;
     }
 #endif
     return lista;
@@ -367,7 +367,8 @@ Json sombrea(const Orden &orden, const Lienzo &l, Punto p, int primitiva) {
             posiciones[i] = posicion->valor;
     }
     json.pon("fragmento", enJsonDe(deFragmento, fragmento)).pon("vertices", deCada);
-    json.pon("lecturas", lecturasDe(programa, fragmento.apuntado));
+    // en el reescrito está la textura aunque lo leído no llegue a nada, multiplicado por 0
+    json.pon("lecturas", lecturasDe(deFragmento.programa, fragmento.apuntado));
     if (conPosicion) {
         const auto pesos = pesosDe(posiciones, p);
         json.pon("pesos", pesos[0]).pon("pesosSinPerspectiva", pesos[1]);

@@ -135,15 +135,32 @@ bool haciaFuera(const Cableado &c) {
     return suma > 0;
 }
 
+// Con qué factores se mezcla lo que casi nunca se quiere. De las otras parejas raras, alguna sirve para algo.
+Dicho deMezcla(GLenum origen, GLenum destino) {
+    const std::string pareja = "la mezcla (" + nombreFactor(origen) + ", " + nombreFactor(destino) + ") ";
+    const char *const prueba =
+        "Lo usual es glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA): alfa y lo que le falta para 1.";
+    if (origen == GL_ONE_MINUS_SRC_ALPHA)
+        return {pareja + "está al revés: cuanto mayor es el alfa de lo que se dibuja, menos se ve", prueba};
+    const std::string pesa = destino == GL_SRC_ALPHA             ? "el mismo alfa"
+                             : destino == GL_DST_ALPHA           ? "el de la ventana"
+                             : destino == GL_ONE_MINUS_DST_ALPHA ? "1 menos el de la ventana"
+                                                                 : "";
+    if (origen != GL_SRC_ALPHA || pesa.empty())
+        return {};
+    return {pareja + "no reparte: de lo que se dibuja queda su alfa, y de lo que había, " + pesa, prueba};
+}
+
 } // namespace
 
-void Sospechas::pon(int gravedad, int orden, const std::string &dice, const std::string &prueba) {
+void Sospechas::pon(int gravedad, int orden, const std::string &dice, const std::string &prueba,
+                    const LineaDeShader &linea) {
     static const std::regex NUMERO("orden [0-9]+|[0-9]+ de sus [0-9]+|hasta [0-9]+");
     const auto sin = [](const std::string &texto) { return std::regex_replace(texto, NUMERO, "orden"); };
     const auto igual = [&](const Sospecha &s) { return sin(s.dice) == sin(dice); };
     const auto otra = std::find_if(lista.begin(), lista.end(), igual);
     if (otra == lista.end()) // la misma en cada orden se dice una vez
-        lista.push_back({gravedad, orden, dice, prueba});
+        lista.push_back({gravedad, orden, dice, prueba, linea});
     else
         otra->otras += otra->dice != dice;
 }
@@ -272,6 +289,19 @@ void Sospechas::pon(int gravedad, int orden, const Dicho &dicho) {
         pon(gravedad, orden, dicho.first, dicho.second);
 }
 
+// Lo que se ve en el texto de los dos shaders, con su línea.
+void Sospechas::deShaders(int n) {
+    if (!leidos.insert(entero(GL_CURRENT_PROGRAM)).second)
+        return;
+    for (const auto &[etapa, tipo] : {std::pair("vert", GL_VERTEX_SHADER), {"frag", GL_FRAGMENT_SHADER}})
+        for (const Division &d : divisionesEnteras(fuentesDelPrograma(GLenum(tipo)))) {
+            const std::string a = std::to_string(d.dividendo), b = std::to_string(d.divisor);
+            pon(SEGURO, n,
+                a + " / " + b + " es una división entera y vale " + std::to_string(d.dividendo / d.divisor),
+                "Entre enteros se pierde el resto: escribe " + a + ".0 / " + b + ".0.", {etapa, d.linea});
+        }
+}
+
 void Sospechas::apuntaIndices(const Orden &o) {
     Indices &i = indices[entero(GL_ELEMENT_ARRAY_BUFFER_BINDING)];
     i.hay = contesta(glGetBufferParameteriv, GL_ELEMENT_ARRAY_BUFFER, GL_BUFFER_SIZE);
@@ -328,7 +358,7 @@ void Sospechas::deMalla(const Cableado &c, const Orden &o, const Lienzo &l, cons
 // Si el shader da NaN, todo negro o mucho más de lo que se puede ver.
 void Sospechas::deColores(const Cableado &c, const Orden &o, const Lienzo &l, int n) {
     const std::vector<Pixel> colores = coloresDe(o, l);
-    long hay = 0, raros = 0, negros = 0, pasados = 0;
+    long hay = 0, raros = 0, negros = 0, pasados = 0, traslucidos = 0;
     std::string donde;
     float mayor = 0;
     for (std::size_t i = colores.size(); i-- > 0;) { // desde arriba
@@ -339,6 +369,7 @@ void Sospechas::deColores(const Cableado &c, const Orden &o, const Lienzo &l, in
         const float suma = p[0] + p[1] + p[2], suyo = std::max({p[0], p[1], p[2]});
         negros += suma == 0;
         pasados += suyo > 8;
+        traslucidos += p[3] < 1 && p[3] != 0.5f; // con ½ las dos partes son iguales
         if (suma == suma)
             mayor = std::max(mayor, suyo);
         else if (!raros++)
@@ -362,6 +393,8 @@ void Sospechas::deColores(const Cableado &c, const Orden &o, const Lienzo &l, in
             orden + "colores de hasta " + std::to_string(long(mayor)) + de(pasados) + ", y van de 0 a 1",
             "Lo que pasa de 1 se queda en 1. Si vienen de 0 a 255, divídelos por 255." + cual);
     }
+    if (traslucidos && glIsEnabled(GL_BLEND) && entero(GL_BLEND_EQUATION_RGB) == GL_FUNC_ADD)
+        pon(SEGURO, n, deMezcla(GLenum(entero(GL_BLEND_SRC_RGB)), GLenum(entero(GL_BLEND_DST_RGB))));
     if (hay && negros == hay)
         for (const Uniforme &u : c.uniformes)
             if (u.valor.size() >= 3 && u.valor.size() <= 4 && u.dado &&
@@ -407,6 +440,7 @@ void Sospechas::antes(const Orden &o, const Lienzo &l, const Cableado &cableado,
             "Mira el índice y el desplazamiento de cada glVertexAttribPointer.");
     if (o.tipoIndice != GL_NONE && entero(GL_ELEMENT_ARRAY_BUFFER_BINDING))
         apuntaIndices(o);
+    deShaders(n);
     deMatrices(cableado, l, n);
     delCableado(cableado, o, l, n);
     deNormales(cableado, n);
@@ -546,7 +580,9 @@ std::vector<Json> Sospechas::todas(bool unColor) {
             salen.push_back(
                 {{"orden", s.orden},
                  {"dice", s.dice + (s.otras ? "; otras " + std::to_string(s.otras) + ", por lo mismo" : "")},
-                 {"prueba", s.prueba}});
+                 {"prueba", s.prueba},
+                 {"etapa", s.linea.etapa},
+                 {"linea", s.linea.linea}});
     return salen;
 }
 

@@ -7,10 +7,16 @@
 
 namespace explica {
 
+struct LineaDeShader {
+    std::string etapa = {}; // vert o frag; vacía, si no es de ninguno
+    int linea = 0;
+};
+
 struct Sospecha {
     int gravedad; // antes las mayores
     int orden;    // 0: de todo el cuadro
     std::string dice, prueba;
+    LineaDeShader linea;
     int otras = 0; // órdenes de que se podría decir lo mismo
 };
 
@@ -30,11 +36,14 @@ class Sospechas {
     struct Indices {
         std::intptr_t cadaUno = 4, hay = 0, hasta = 0; // en bytes
     };
+    std::set<GLint> leidos;           // los programas cuyos shaders se han leído
     std::map<GLint, Indices> indices; // de cada buffer, los que se usan
 
-    void pon(int gravedad, int orden, const std::string &dice, const std::string &prueba);
+    void pon(int gravedad, int orden, const std::string &dice, const std::string &prueba,
+             const LineaDeShader &linea = {});
     void pon(int gravedad, int orden, const Dicho &dicho);
     void apuntaIndices(const Orden &orden);
+    void deShaders(int n);
     void deMatrices(const Cableado &cableado, const Lienzo &lienzo, int n);
     void deMalla(const Cableado &cableado, const Orden &orden, const Lienzo &lienzo, const Malla &malla,
                  int n);

@@ -9,8 +9,8 @@ namespace explica {
 struct Lectura {
     int linea;
     std::string sampler, escrito;
-    std::vector<double> derivadas, coordenadas,
-        valor; // de las coordenadas, la tercera es lo que se suma al nivel
+    std::vector<double> dx, dy, coordenadas,
+        valor; // de las coordenadas, la última es lo que se suma al nivel
 };
 
 /// Sus `texels`, con lo que pesan, la `suma` y si `cuadra` con lo leído; si no, `motivo`. El programa, con sus texturas

@@ -12,7 +12,13 @@ export function conFicheros(datos, textos) {
     ({ ...p, vert: lineasDe(p.vert, textos, 'vert'), frag: lineasDe(p.frag, textos, 'frag') }));
   const frag = new Map(programas.map(p => [p.programa, p.frag.at(-1).fichero.split('/').pop()]));
   const ordenes = datos.ordenes.map(o => ({ ...o, frag: frag.get(o.programa) }));
-  return { ...datos, programas, ordenes };
+  const deLinea = s => { // la que es de una línea de un shader
+    const { programa } = datos.ordenes.find(o => o.n === s.orden);
+    const { fichero, linea, texto } = programas.find(p => p.programa === programa)[s.etapa][s.linea - 1];
+    const dice = fichero ? `${fichero.split('/').pop()}:${linea}` : `la línea ${linea} del shader`;
+    return { ...s, sitio: { dice, texto: texto.trim() } };
+  };
+  return { ...datos, programas, ordenes, sospechas: datos.sospechas.map(s => (s.linea ? deLinea(s) : s)) };
 }
 
 /// El píxel, y cuál es en la ventana de siempre, que es el de los enlaces y el de ./lab explica.

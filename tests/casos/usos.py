@@ -50,6 +50,25 @@ def explicado(build, carpeta, pixel, entorno):
     return json.loads((carpeta / "e.json").read_text()), r.stdout
 
 
+def fallos_de_texels(cuadro, canales):
+    """Lo que se lee de una textura que se pinta en el cuadro se sigue: el texel queda del color que se lee, y se cumple
+    lo de un píxel."""
+    pintadas = {o["pinta"] for o in cuadro["ordenes"]}
+    for quien in (cuadro, *cuadro["texels"]):
+        sombreado = quien.get("sombreado", {})
+        lecturas = [lectura for lectura in sombreado.get("lecturas", []) if lectura.get("textura") in pintadas]
+        suyos = {t["textura"]: t for t in cuadro["texels"] if t["lee"] == sombreado.get("orden")}
+        if {lectura["textura"] for lectura in lecturas} != suyos.keys():
+            yield f"de {lecturas} se sigue {[*suyos]}"
+        for textura, texel in suyos.items():
+            leidos = (t for lectura in lecturas if lectura["textura"] == textura for t in lectura["texels"])
+            [color, *_] = [t["color"] for t in leidos if t["texel"] == texel["pixel"]]
+            if explica.distancia(color[:3], [c / 255 for c in texel["color"][:3]]) > 1e-6:
+                yield f"se lee {color} de un texel de color {texel['color']}"
+            yield from explica.fallos_de_historia(texel["historia"], canales)
+            yield from explica.fallos_de_sombreado(texel)
+
+
 def fallos_de(build, base, uso, debe):
     with tempfile.TemporaryDirectory() as carpeta:
         carpeta, entorno = Path(carpeta), {"BASE": base, "USO": uso}
@@ -63,10 +82,13 @@ def fallos_de(build, base, uso, debe):
         return [] if any(re.search(debe, dicha) for dicha in dichas[:1]) else [f"falta «{debe}» en {dichas}"]
     canales = explica.canales_de(cuadro)
     fallos = [f"se sospecha: {d}" for d in dichas] + list(explica.fallos_de_pixel(cuadro, imagen, canales))
+    fallos += fallos_de_texels(cuadro, canales)
     if len(cuadro["historia"]) < 2:
         fallos.append("nada cubre el píxel")
     trazas = [t for t in [cuadro.get("sombreado", {}).get("fragmento")] if t]
     fallos += [f"no sigue la línea {s['linea']}: {s['motivo']}" for t in trazas for s in t["sinSeguir"]]
+    dibujan = [s for s in cuadro["historia"] if "tipo" in s]
+    fallos += [f"no se cuentan desde 1: {s}" for s in dibujan if f" {s['tipo']} {s['primitiva'] + 1}.º" not in dice]
     if uso not in NO_SE_SABE:
         return fallos
     fallos = [f for f in fallos if not f.startswith("no se") and not NO_SE_SABE[uso] in f]

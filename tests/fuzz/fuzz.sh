@@ -8,8 +8,8 @@ shift
 cd "$(dirname "$0")/../.."
 mkdir -p "build/fuzz/corpus_$LECTOR"
 clang++ -std=c++17 -O2 -g -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=undefined -Icommon -I. \
-  tests/fuzz/lectores.cpp common/{imagen,malla,motivo,shader}.cpp glut/sistema/posix.cpp \
-  herramientas/explica/{apuntes,declaraciones,expresiones,glsl,lexico,preludio,sentencias,tipos}.cpp \
+  tests/fuzz/lectores.cpp common/{imagen,malla,shader}.cpp glut/sistema/{guarda,motivo,posix}.cpp \
+  herramientas/explica/{apuntes,declaraciones,divisiones,expresiones,glsl,lexico,preludio,sentencias,tipos}.cpp \
   glut/sin_ventana/guion.cpp \
   -lGLEW -lGL -o build/fuzz/lectores
 exec build/fuzz/lectores -artifact_prefix="build/fuzz/$LECTOR-" -max_len=4096 -timeout=10 "$@" \

@@ -3,6 +3,7 @@
 // conductor.cpp.
 #include "error.h"
 #include "glut/sin_ventana/guion.h"
+#include "herramientas/explica/deduce.h"
 #include "herramientas/explica/glsl.h"
 #include "imagen.h"
 #include "malla.h"
@@ -167,6 +168,8 @@ static void shader(const Texto &entrada) {
 /// El reescritor de shaders: lo que da tiene una medida, y todo lo que apunta es de un tipo que se sabe leer.
 static void glsl(const Texto &entrada) {
     using namespace explica;
+    for (const Division &d : divisionesEnteras(entrada))
+        exige(d.divisor != 0 && d.dividendo % d.divisor != 0);
     for (const Etapa etapa : {Etapa::Fragmento, Etapa::Vertices}) {
         const Reescrito r = reescribe(entrada, 4, etapa);
         exige(r.notas.size() <= 4096 && r.fuente.size() <= 4000000 &&

@@ -47,7 +47,8 @@ SIN_SOSPECHAS = {  # lo que se sospecha, con razón, y aquí es así a propósit
 TALLAS = "960x3", "3x960", "1x1"
 COPIADO = "copiado de otro framebuffer"
 PASAN = "escrito", "profundidad", "mascara"  # los que llegan al test de profundidad
-OTRA_TEXTURA = "no sé de qué texels sale: solo sigo texture y textureLod de un sampler2D"
+OTRA_TEXTURA = "no sé de qué texels sale: solo sigo texture y textureLod de un sampler2D, sampler3D o samplerCube"
+SALE_DE_LA_CARA = "el filtro sale de la cara, y en la de al lado no sé seguirlo"
 ANISOTROPO = "el filtro anisótropo lee más texels, que no sigo"
 PASOS = 4000  # los que apunta, como mucho, sombreado.cpp
 
@@ -104,13 +105,12 @@ def fallos_de_mascara(suceso, canales):
             yield f"deja {despues} en {canal} y su color es {color}"
 
 
-def quien_gana(historia):
-    """La orden y la primitiva de que viene el color de la ventana: si lo último es una copia, de antes, en el otro.
-    Lo que se mezcla y no cambia nada no cuenta, si hay otra cosa."""
-    lienzo = 0
+def quien_gana(historia, lienzo=0):
+    """La orden y la primitiva de que viene el color de la ventana, o de ese framebuffer: si lo último es una copia, de
+    antes, en el otro. Lo que se mezcla y no cambia nada no cuenta, si hay otra cosa."""
     de_verdad = [s for s in historia if not s.get("mezcla", {}).get("si") or s["antes"] != s["despues"]]
-    if len(de_verdad) < len(historia) and quien_gana(de_verdad)[1] is not None:
-        return quien_gana(de_verdad)
+    if len(de_verdad) < len(historia) and quien_gana(de_verdad, lienzo)[1] is not None:
+        return quien_gana(de_verdad, lienzo)
     for suceso in reversed(historia):
         if suceso["framebuffer"] != lienzo or suceso["veredicto"] != "escrito":
             continue
@@ -147,7 +147,7 @@ def fallos_de_historia(historia, canales):
 def fallos_de_sombreado(explicado):
     """Del fragmento que gana, línea a línea."""
     sombreado = explicado.get("sombreado")
-    orden, primitiva = quien_gana(explicado["historia"])
+    orden, primitiva = quien_gana(explicado["historia"], explicado["framebuffer"])
     gana = (sombreado["orden"], sombreado["primitiva"]) if sombreado else (orden, None)
     if gana != (orden, primitiva) and len({s["framebuffer"] for s in explicado["historia"]}) <= 2:
         yield f"se explica {gana} y gana {orden, primitiva}"
@@ -180,6 +180,8 @@ def fallos_de_lectura(lectura):
     suma = [sum(t["peso"] * t["color"][c] for t in texels) for c in range(4)]
     contraste = max((max(c) - min(c) for c in zip(*(t["color"] for t in texels))), default=0)
     lejos = distancia(suma, lectura["valor"]) > 1.1 / 255 + contraste / 128 + 1e-6 if texels else True
+    if lectura["motivo"] == SALE_DE_LA_CARA and lectura["cara"]:
+        return
     sabido = lectura["motivo"] in ("", ANISOTROPO) and abs(pesos - 1) <= 1e-5 or lectura["motivo"] == OTRA_TEXTURA
     if lejos != bool(lectura["motivo"]) or not sabido:
         yield f"{lectura['escrito']} da {lectura['valor']}, y de pesos {pesos}, {suma}: {lectura['motivo']}"
