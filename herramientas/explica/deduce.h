@@ -47,7 +47,7 @@ struct Iluminacion {
 Dicho deIluminacion(const Iluminacion &shaders, const Productos &productos,
                     const std::vector<Matriz> &matrices);
 
-/// Una división de constantes enteras que pierde el resto y acaba entre reales, «1 / 2», en esa línea del shader.
+/// Una división de números enteros que vale 0, «1 / 2», en esa línea del shader: nadie la escribe a propósito.
 struct Division {
     int linea;
     long long dividendo, divisor;
