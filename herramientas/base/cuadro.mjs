@@ -60,7 +60,8 @@ const cambia = s => String(s.antes) !== String(s.despues);
 
 /** Lo que pasa; con muestras en la ventana, lo que cubre una parte del píxel lo cambia sin llegar a su centro. */
 function loQuePasa(s) {
-  if (s.veredicto === 'escrito') return s.dice + (s.color && s.despues && !s.mezcla ? ', en parte de sus muestras' : '');
+  const enParte = s.color && s.despues && !s.mezcla;
+  if (s.veredicto === 'escrito') return s.dice + (enParte ? ', en parte de sus muestras' : '');
   return s.tipo && cambia(s) ? `${s.dice}; y otra, que no llega a su centro, cambia parte de sus muestras` : s.dice;
 }
 

@@ -176,7 +176,7 @@ const maneras = {
     const { mal, cantos } = await p.da(async () => {
       const { lienzo } = sesion, { width, height } = lienzo, gl = lienzo.getContext('webgl2'), mal = [];
       sesion.redibuja();
-      const fila = new Uint8Array(4 * width), y = Math.floor(height * 0.62);
+      const fila = new Uint8Array(4 * width), y = Math.floor(height * 0.38);
       gl.readPixels(0, height - 1 - y, width, 1, gl.RGBA, gl.UNSIGNED_BYTE, fila);
       const de = x => [...fila.slice(4 * x, 4 * x + 3)].join(', ');
       const cantos = [...Array(width).keys()].filter(x => x && de(x) !== de(x - 1) && de(x) !== de(x + 1)).slice(0, 6);
