@@ -56,6 +56,15 @@ function mezclaDe(mezcla) {
   return h('span', { class: 'mezcla' }, suma, mezcla.cuadra ? '' : h('b', { class: 'malo' }, ' no es lo que queda'));
 }
 
+const cambia = s => String(s.antes) !== String(s.despues);
+
+/** Lo que pasa; con muestras en la ventana, lo que cubre una parte del píxel lo cambia sin llegar a su centro. */
+function loQuePasa(s) {
+  const enParte = s.color && s.despues && !s.mezcla;
+  if (s.veredicto === 'escrito') return s.dice + (enParte ? ', en parte de sus muestras' : '');
+  return s.tipo && cambia(s) ? `${s.dice}; y otra, que no llega a su centro, cambia parte de sus muestras` : s.dice;
+}
+
 const tabla = (clase, titulos, ...filas) => h('div', { class: 'tabla' }, h('table', { class: clase },
   h('thead', {}, h('tr', {}, titulos.map(texto => h('th', {}, texto)))), h('tbody', {}, ...filas)));
 
@@ -75,8 +84,8 @@ function historia(datos, elige) {
         suceso.orden)), h('td', {}, tituloDe(orden), sitioDe(orden)), h('td', {}, primitivaDe(suceso)),
       h('td', {}, color ? h('span', { class: 'color' }, muestra(color), vector(suceso.color.slice(0, 4), 3)) : ''),
       h('td', {}, suceso.profundidad === undefined ? '' : cifra(suceso.profundidad, 6)),
-      h('td', {}, suceso.dice, mezclaDe(suceso.mezcla)),
-      h('td', {}, /escrito|ajeno/.test(suceso.veredicto) ? conMuestra(suceso.despues) : ''));
+      h('td', {}, loQuePasa(suceso), mezclaDe(suceso.mezcla)),
+      h('td', {}, suceso.veredicto === 'escrito' || cambia(suceso) ? conMuestra(suceso.despues) : ''));
   };
   const cabecera = ['orden', '', '', 'da el shader', 'profundidad', 'qué pasa', 'queda'];
   return tabla('historia sucesos', cabecera, datos.historia.map(fila));
@@ -450,7 +459,11 @@ function resumen(datos, conImagen) {
   const marcas = marca('pixel', [...datos.pixel, 1, 1], datos.talla);
   const cuadro = final && lamina(final.miniatura, 'El cuadro, y el píxel', marcas);
   if (cuadro && conImagen) partes.push(h('div', { style: `max-width: ${ANCHO}px` }, cuadro));
-  const dado = quien ? [` y se lo ha dado ${quien}`, ...desde, '.'] : ['.'];
+  const ajeno = datos.historia.findLast(s => !s.framebuffer)?.veredicto === 'ajeno';
+  const despues = `. Después lo ha cambiado algo que no sigo: en un borde, y con muestras en la ventana
+    (GLUT_MULTISAMPLE), lo que cubre una parte del píxel sin llegar a su centro, y su color es una mezcla.`;
+  const dado = !quien ? ['.'] : ajeno ? [`. Lo último que sigo en él es ${quien}`, ...desde, despues]
+    : [` y se lo ha dado ${quien}`, ...desde, '.'];
   partes.push(h('p', { class: 'dice' }, 'El píxel es ', conMuestra(datos.color), ...dado));
   return partes;
 }
@@ -460,7 +473,8 @@ export function muestraCuadro(datos, contenedor, { conImagen = true } = {}) {
   if (!datos.ordenes.length) return contenedor.replaceChildren(h('p', {}, 'Este cuadro no dibuja ni borra nada.'));
   const { elige, elemento } = ordenesDe(datos);
   const partes = resumen(datos, conImagen);
-  const veces = datos.historia?.filter(s => s.veredicto === 'escrito').length, titulo = 'La historia del píxel';
+  const titulo = 'La historia del píxel', borra = s => s.dice === 'borrado';
+  const veces = datos.historia?.filter(s => s.veredicto === 'escrito' && !borra(s)).length;
   if (datos.pixel) partes.push(h('h2', {}, veces > 2 ? `${titulo}: escrito ${veces} veces` : titulo),
     historia(datos, elige), ...loQueFalta(datos),
     ...sombreadoDe(datos), ...mallaDe(datos.sombreado ?? {}), ...texelsDe(datos, elige));

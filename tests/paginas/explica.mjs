@@ -58,6 +58,9 @@ async function mira([x, y], sabido) {
         `${e.nombre} vale (${e.valor}) y de los vértices sale (${e.interpolado})`);
     }
     di(!todos('.explicacion .apunte').length, 'no se ve ninguna línea');
+    const pinta = escritos.filter(s => s.dice !== 'borrado').length;
+    const dichas = todos('.explicacion h2').map(t => t.textContent.match(/escrito (\d+) veces/)).find(Boolean)?.[1];
+    di(+(dichas ?? 0) !== (pinta > 2 ? pinta : 0), `lo pintan ${pinta} y se dice ${dichas}`);
     const { atributos, uniformes, texturas } = ordenes.find(o => o.n === gana.orden).cableado;
     const cosas = new Set([...atributos, ...uniformes].map(c => c.nombre).concat(texturas.map(t => t.sampler)));
     await cuadro(); // el cableado se traza en el siguiente
@@ -167,6 +170,30 @@ const maneras = {
     await seVe(p);
     const antes = await p.da(() => hecho.ordenes.join());
     await p.acaba('y después sigue', antes => hecho.ordenes.join() !== antes, antes);
+  },
+
+  'explicar un canto, con muestras: lo que no llega al centro del píxel no se calla ni se da por otro': async p => {
+    await p.carga('#tres_cubos');
+    await p.acaba('arranca', () => sesion?.vivo);
+    const { mal, cantos } = await p.da(async () => {
+      const { lienzo } = sesion, { width, height } = lienzo, gl = lienzo.getContext('webgl2'), mal = [];
+      sesion.redibuja();
+      const fila = new Uint8Array(4 * width), y = Math.floor(height * 0.38);
+      gl.readPixels(0, height - 1 - y, width, 1, gl.RGBA, gl.UNSIGNED_BYTE, fila);
+      const de = x => [...fila.slice(4 * x, 4 * x + 3)].join(', ');
+      const cantos = [...Array(width).keys()].filter(x => x && de(x) !== de(x - 1) && de(x) !== de(x + 1)).slice(0, 6);
+      for (const x of cantos) {
+        await pagina.explica([x, y]);
+        const quedan = todos('.sucesos td:last-child').map(t => t.textContent).filter(Boolean);
+        const filas = todos('.sucesos tbody tr').map(t => t.textContent);
+        if (quedan.at(-1) !== `(${de(x)})`) mal.push(`${x}: es (${de(x)}) y queda ${quedan.at(-1)}`);
+        const ajeno = filas.some(f => f.includes('algo que no sigo') && f.endsWith(`(${de(x)})`));
+        if (ajeno === /se lo ha dado/.test(una('.explicacion .dice').textContent)) mal.push(`${x}: quién`);
+      }
+      return { mal, cantos: cantos.length };
+    });
+    assert.deepEqual(mal, []);
+    assert.ok(cantos > 1, `${cantos} cantos`);
   },
 
   'explicar un shader según se escribe, y lo que suele dejar la ventana negra': async p => {
