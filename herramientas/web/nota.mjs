@@ -53,7 +53,10 @@ export function nota(guiones, otros, reglas, piezas = []) {
 }
 
 /// A una cifra, como Python: lo que está justo en medio va a la que es par.
-export const redondea = x => Number((x % 1 === 0.25 ? x - 0.05 : x).toFixed(1));
+export function redondea(x) {
+  const suyo = Number(x.toFixed(9)); // lo que mueve sumar en otro orden, no
+  return Number((suyo % 1 === 0.25 ? suyo - 0.05 : suyo).toFixed(1));
+}
 
 /// Las menos órdenes con las que aún `falla(órdenes)`, que con todas falla; después, repetidas menos veces. Como mucho
 /// se prueba esas veces.

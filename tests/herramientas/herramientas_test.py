@@ -275,6 +275,9 @@ def test_un_cociente_cumple_no_cumple_o_no_se_sabe():
 
 
 def test_con_muestras_se_suaviza_lo_que_separa_dos_colores_y_nada_mas(tmp_path):
+    opengl = subprocess.run([BUILD / "egl/ch01_intro/info_opengl"], text=True, capture_output=True).stdout
+    if int(re.search(r"Mesa (\d+)", opengl)[1]) >= 25:
+        pytest.skip("el EGL de Mesa 25 no da muestras que se puedan leer")
     ancho, imagenes = 120, []
     for suaviza in {}, {"LAB_SUAVIZA": "1"}:
         ppm = tmp_path / f"{len(suaviza)}.ppm"

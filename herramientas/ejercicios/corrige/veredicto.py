@@ -108,13 +108,18 @@ def parte(todos, valen, reglas):
     return sum(reglas.peso(g) * valen.get(g, 0) for g in todos) / sum(map(reglas.peso, todos))
 
 
+def redondea(puntos):
+    """A una cifra; lo que está justo en medio, salvo lo que mueve sumar en otro orden, a la que es par."""
+    return round(round(puntos, 9), 1)
+
+
 def nota(todos, valen, otros, reglas=Reglas(), piezas=()):
     """Esa parte, junto con la de cada pieza, si se sabe, y sin lo que quita lo demás. Con un fallo que cueste algo no
     es 100."""
     puntos = reglas.junta(parte(todos, valen, reglas), piezas)
     cuestan = sum(reglas.cuesta(que) for que in otros)
     todo = all(valen.get(g) == 1 for g in todos)
-    return min(round(puntos * (100 - cuestan), 1), 100 if todo and not cuestan else 99.9)
+    return min(redondea(puntos * (100 - cuestan)), 100 if todo and not cuestan else 99.9)
 
 
 def parte_de_pieza(banco, esperadas, partidas, sin_hacer):
@@ -232,7 +237,7 @@ class Correccion:
         partes = [suya for suya, _ in piezas]
         suya = nota(todos, valen, otros, self.banco.reglas, partes)
         piden = self.banco.motivos.trozos() if piezas else []
-        de_cada = [{"pide": t["pide"], "nota": round(100 * p, 1)} for (_, t), p in zip(piden, partes)]
+        de_cada = [{"pide": t["pide"], "nota": redondea(100 * p)} for (_, t), p in zip(piden, partes)]
         return {"nota": suya, **cuenta, "piezas": de_cada, "entero": entero}
 
     def como_acaba(self, guion):
