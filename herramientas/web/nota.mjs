@@ -32,13 +32,13 @@ export const acabaMal = (esperada, { estado, cuelga }) =>
 
 const suma = numeros => numeros.reduce((a, b) => a + b, 0);
 
-/// La de los guiones, con lo que pesa cada uno: de 0 a 1. De cada guion jugado, `parecido` y, si es un caso que se ve
-/// bien y falla al seguirlo, `aMedias`; de los que no, nada.
-export function parte(guiones, reglas) {
-  const valen = { [BIEN]: 1, [CASI]: reglas.casi / 100 };
-  const vale = g => valen[g.parecido] ?? (g.aMedias ? reglas.medias / 100 : 0);
-  return suma(guiones.map(g => g.pesa * vale(g))) / suma(guiones.map(g => g.pesa));
-}
+/// De un guion jugado, `parecido` y, si es un caso que se ve bien y falla al seguirlo, `aMedias`; de los que no, nada.
+const vale = ({ parecido, aMedias }, { casi, medias }) =>
+  parecido === BIEN ? 1 : parecido === CASI ? casi / 100 : aMedias ? medias / 100 : 0;
+
+/// La de los guiones, con lo que pesa cada uno: de 0 a 1.
+export const parte = (guiones, reglas) =>
+  suma(guiones.map(g => g.pesa * vale(g, reglas))) / suma(guiones.map(g => g.pesa));
 
 /// Esa, junto con la de cada pieza, si se sabe, y sin lo que quita lo demás. Con un fallo que cueste algo no es 100.
 export function nota(guiones, otros, reglas, piezas = []) {
@@ -48,7 +48,7 @@ export function nota(guiones, otros, reglas, piezas = []) {
     Math.min(...piezas.map(p => p.pesa).filter(Boolean));
   const puntos = piezas.length ? Math.max(entero + reglas.huecos / 100 * (media - entero), 1 - mal / pesan) : entero;
   const cuestan = suma(Object.keys(otros).map(que => reglas[que]));
-  const todo = guiones.every(g => g.parecido === BIEN || reglas.casi === 100 && g.parecido === CASI);
+  const todo = guiones.every(g => vale(g, reglas) === 1);
   return Math.min(redondea(puntos * (100 - cuestan)), todo && !cuestan ? 100 : 99.9);
 }
 

@@ -430,7 +430,7 @@ from ejercicios.reglas import Reglas
 azar, casos = random.Random(1), []
 for _ in range(2000):
     cuesta = lambda: azar.choice([0, 0.04, 12.5, 20])
-    casi, medias = azar.choice([0, 30, 50, 100]), azar.choice([0, 50, 70])
+    casi, medias = azar.choice([0, 30, 50, 100]), azar.choice([0, 50, 70, 100])
     reglas = Reglas(azar.choice([1, 2, 3.5]), azar.choice([0.5, 1]), 24, "amplia", casi, medias,
                     cuesta(), cuesta(), cuesta())
     todos = [Guion(str(i), (), azar.random() < 0.3) for i in range(azar.randint(1, 12))]
