@@ -206,6 +206,7 @@ void Sospechas::delCableado(const Cableado &c, const Orden &o, const Lienzo &l, 
             pon(SEGURO, n, quien + "lo lee el shader y no lo da ningún array",
                 "Falta glVertexAttribPointer o glEnableVertexAttribArray, con su VAO enlazado.");
         else if (a.primeros.size() > 2 &&
+                 (!c.texturas.empty() || a.variable.nombre.find("oord") == std::string::npos) &&
                  std::all_of(a.primeros.begin(), a.primeros.end(),
                              [](const auto &v) { return v == std::array<float, 4>{}; }))
             pon(a.variable.nombre == "vNormal" ? SEGURO : SI_NO_SE_VE_NADA, n,
