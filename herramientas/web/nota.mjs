@@ -76,7 +76,7 @@ export async function acorta(ordenes, falla, intentos) {
   for (const i of ordenes.keys()) {
     const [una, veces] = ordenes[i].split(' ×');
     for (const otras of veces ? [una, `${una} ×2`] : []) {
-      const candidatas = ordenes.with(i, otras);
+      const candidatas = Object.assign([...ordenes], { [i]: otras });
       if (!await prueba(candidatas)) continue;
       ordenes = candidatas;
       break;

@@ -1,5 +1,6 @@
 // partes.mjs RAÍZ BUILD: los módulos de la página de los programas que no tocan el documento (herramientas/web/), y lo
 // que le da web.py, con Node y sin navegador.
+import { File } from 'node:buffer'; // Node.js 18 no la da sin pedirla
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
