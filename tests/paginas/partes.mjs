@@ -414,7 +414,8 @@ with zipfile.ZipFile(otro, "w", zipfile.ZIP_DEFLATED) as c:
         c.writestr(nombre, texto)
 print(json.dumps([z.testzip(), leidos, base64.b64encode(otro.getvalue()).decode()]))`, base64);
   assert.deepEqual([malo, leidos], [null, textos]);
-  for (const datos of [zip, Buffer.from(comprimido, 'base64')]) {
+  const deNode18 = process.version.startsWith('v18'); // que no descomprime «deflate-raw»; los navegadores, sí
+  for (const datos of [zip, ...deNode18 ? [] : [Buffer.from(comprimido, 'base64')]]) {
     const hay = await leeZip(new File([datos], 'grua.zip'));
     for (const [ruta, texto] of Object.entries(textos)) assert.equal(await hay[ruta].text(), texto);
   }
