@@ -34,7 +34,8 @@ export function atiendeBuscador(trae) {
     const buscado = campo.value;
     indice ??= trae().then(datos => new Indice(datos));
     const hallados = (await indice).busca(buscado);
-    if (campo.value === buscado) ponHallados(hallados, buscado);
+    const yaPasa = lista.contains(document.activeElement); // por lo hallado: se le iría el foco
+    if (campo.value === buscado && !yaPasa) ponHallados(hallados, buscado);
   };
   campo.addEventListener('input', busca);
   campo.addEventListener('focus', () => { if (campo.value.trim()) busca(); });
