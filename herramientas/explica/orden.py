@@ -99,7 +99,7 @@ def texels(cuadro, explicado):
     sombreado = explicado.get("sombreado", {})
     pesan = {}
     for lectura in (suya for suya in sombreado.get("lecturas", []) if not suya["motivo"]):
-        texel = max((t for t in lectura["texels"]), key=lambda t: t["peso"])
+        texel = max(lectura["texels"], key=lambda t: t["peso"])
         pintan = [o for o in cuadro["ordenes"] if o["pinta"] == lectura["textura"] and o["n"] < sombreado["orden"]]
         if pintan and texel["nivel"] == 0 and min(texel["texel"]) >= 0:
             pesan.setdefault(lectura["textura"], []).append(texel["texel"])
@@ -164,9 +164,8 @@ def main():
     ejecutable = build / (build / "sin_ventana").read_text().strip() / capitulo / programa
     cuadro = ejecuta(build, ejecutable, pixel, suyas)
     [explicado] = cuadro["pixeles"] or [{}]
-    cuadro["texels"] = sigue(
-        cuadro, explicado, lambda texel, textura: ejecuta(build, ejecutable, texel, suyas, textura)
-    )
+    pregunta = lambda texel, textura: ejecuta(build, ejecutable, texel, suyas, textura)
+    cuadro["texels"] = sigue(cuadro, explicado, pregunta)
     pon_sitios(raiz, cuadro, ejecutable)
     cuadro = completa(raiz, cuadro, nombre, titulo, suyas)
     if pixel and any(n >= largo for n, largo in zip(cuadro["pixel"], cuadro["talla"])):
