@@ -1,5 +1,6 @@
 // Lo que dicen clang y quien enlaza, cada cosa en su línea: { ruta, linea, columna, clase, mensaje }, con la ruta desde
 // la raíz. La clase: error o aviso.
+import { CLANG, enEspanol } from './en_espanol.mjs';
 
 const DICHO = /^(\/\S+?):(\d+):(\d+): (fatal error|error|warning|note): (.*)$/;
 const INCLUIDO = /^In file included from (\/lab\/\S+?):(\d+):/;
@@ -21,10 +22,10 @@ function deEnlazar(linea, fuentes) {
   const rutas = Object.keys(fuentes), enSuyo = rutas.filter(r => !suyo || r.replaceAll('/', '-') === suyo);
   const ruta = [...enSuyo, ...rutas].find(r => dondeSeUsa(nombre, fuentes[r])) ?? enSuyo[0] ?? '';
   const porque = que === 'duplicate' ? 'está dos veces'
-    : /^gl[A-Z]/.test(nombre) ? 'WebGL 2, que es lo que hay en un navegador, no la tiene'
+    : /^gl[A-Z]/.test(nombre) ? 'no está en WebGL 2, que es lo que hay en un navegador'
     : 'se usa y no está en ningún sitio';
   return { ruta, linea: ruta ? dondeSeUsa(nombre, fuentes[ruta]) : 0, clase: 'error',
-    mensaje: `${que} symbol: ${simbolo} (${porque})` };
+    mensaje: `«${nombre}» ${porque} (${que} symbol: ${simbolo})` };
 }
 
 /// Los errores y los avisos de lo que se ha dicho. Lo que pasa dentro de una cabecera que no es nuestra es de la línea
@@ -44,7 +45,7 @@ export function leeDicho(dicho, fuentes) {
       if (ultimo && !ultimo.ruta && nuestra(fichero)) Object.assign(ultimo, { ruta: nuestra(fichero), linea: +n });
     } else if (clase) {
       const sitio = nuestra(fichero) ? { ruta: nuestra(fichero), linea: +n, columna: +columna } : incluido;
-      salen.push({ ruta: '', linea: 0, ...sitio, clase: CLASES[clase], mensaje });
+      salen.push({ ruta: '', linea: 0, ...sitio, clase: CLASES[clase], mensaje: enEspanol(CLANG, mensaje) });
       incluido = undefined;
     }
   }

@@ -1,4 +1,5 @@
 // Los ficheros de un programa: cuáles se enseñan y qué errores dice de ellos.
+import { NAVEGADOR, enEspanol } from './en_espanol.mjs';
 import { corta } from './textos.mjs';
 
 export const esShader = ruta => /\.(vert|frag|glsl)$/.test(ruta);
@@ -37,20 +38,12 @@ export function delEjercicio(suyos, rutas) {
 
 const ERROR = /([\w./]+\.(?:vert|frag|glsl))(?::| no compila: ERROR: 0:)(\d+): (.*?)(?: — «.*»)?$/;
 
-/// Qué probar con lo que dicen los compiladores de los navegadores.
-function pistaDe(mensaje) {
-  const enteros = mensaje.match(/(\d)-component vector of int/), tipos = mensaje.match(/\bint\b|\bfloat\b/g);
-  if (enteros && tipos.includes('float')) return ` (uno es de enteros: vec${enteros[1]}(…) lo hace de reales)`;
-  if (new Set(tipos).size === 2) return ' (un real lleva punto: 1.0 y no 1)';
-  return /dimension mismatch/.test(mensaje) ? ' (no tienen tantos componentes: vec3(0.0) son tres)' : '';
-}
-
 /// El error de un shader que dice una línea de lo que escribe un programa, si lo dice.
 export function leeError(linea, capitulo) {
   const mal = corta(linea, 1000).match(ERROR);
   if (mal) {
     const [, ruta, n, mensaje] = mal;
-    return { ruta: ruta.includes('/') ? ruta : `${capitulo}/${ruta}`, linea: +n, mensaje: mensaje + pistaDe(mensaje) };
+    return { ruta: ruta.includes('/') ? ruta : `${capitulo}/${ruta}`, linea: +n, mensaje: enEspanol(NAVEGADOR, mensaje) };
   }
   if (/no enlazan|#include/.test(linea)) return { ruta: '', linea: 0, mensaje: linea };
 }

@@ -465,14 +465,15 @@ test('un guion se acorta hasta lo que basta', async () => {
 test('los errores de los shaders', () => {
   tabla(linea => leeError(linea, 'ch03_a'),
     ["lab: ch05_iluminacion/phong.glsl:47: 'P4' : undeclared identifier — «N = unitario(P4);»",
-      { ruta: 'ch05_iluminacion/phong.glsl', linea: 47, mensaje: "'P4' : undeclared identifier" }],
+      { ruta: 'ch05_iluminacion/phong.glsl', linea: 47,
+        mensaje: "«P4» no está declarado ('P4' : undeclared identifier)" }],
     ["objeto.frag no compila: ERROR: 0:3: 'x' : no", { ruta: 'ch03_a/objeto.frag', linea: 3, mensaje: "'x' : no" }],
-    ["a.frag:3: '-' : wrong operand types: 'const int' and 'in highp float' — «1 - a»", {
-      ruta: 'ch03_a/a.frag', linea: 3,
-      mensaje: "'-' : wrong operand types: 'const int' and 'in highp float' (un real lleva punto: 1.0 y no 1)" }],
-    ["a.frag:3: '/' : types 'in 2-component vector of float' and '2-component vector of int' — «e / t»", {
-      ruta: 'ch03_a/a.frag', linea: 3, mensaje: "'/' : types 'in 2-component vector of float' and " +
-        "'2-component vector of int' (uno es de enteros: vec2(…) lo hace de reales)" }],
+    ["a.frag:3: '-' : types 'const int' and 'in highp float' — «1 - a»", { ruta: 'ch03_a/a.frag', linea: 3,
+      mensaje: "un int no vale como float: un real lleva punto, 1.0 y no 1 " +
+        "('-' : types 'const int' and 'in highp float')" }],
+    ["a.frag:3: '/' : types 'highp float' and '2-component vector of int' — «e / t»", {
+      ruta: 'ch03_a/a.frag', linea: 3, mensaje: 'uno es de enteros: vec2(…) lo hace de reales ' +
+        "('/' : types 'highp float' and '2-component vector of int')" }],
     ['a.vert y a.frag no enlazan: eso', { ruta: '', linea: 0, mensaje: 'a.vert y a.frag no enlazan: eso' }],
     ['giro 12', undefined]);
   const desde = performance.now();

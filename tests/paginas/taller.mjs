@@ -96,7 +96,7 @@ const uso = {
     assert.deepEqual(mal, []);
   },
 
-  'cada error queda en su línea': async p => {
+  'cada error queda en su línea, y en español': async p => {
     const original = lee(GRUA), mal = [];
     await p.carga();
     const filas = lee('tests/paginas/errores.tsv').trimEnd().split('\n')
@@ -105,7 +105,8 @@ const uso = {
       const donde = original.indexOf(de), debe = linea(original.slice(0, donde)) + Number(salto);
       const [sale, dichos] = await p.da(compila, 'grua', { [GRUA]: original.replace(de, () => a) });
       const primero = dichos.find(d => d.clase === 'error');
-      if (donde < 0 || sale || primero?.ruta !== GRUA || primero.linea !== debe || !primero.mensaje.includes(dice))
+      const enIngles = primero?.mensaje.match(/.\((.*)\)$/)?.[1]; // tras lo que es, en español
+      if (donde < 0 || sale || primero?.ruta !== GRUA || primero.linea !== debe || !enIngles?.includes(dice))
         mal.push(`${que}: línea ${debe}: ${JSON.stringify(primero)} ${sale}`);
     }
     assert.deepEqual(mal, []);
