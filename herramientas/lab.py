@@ -367,58 +367,15 @@ class Laboratorio:
         return [palabra for opcion in que.ctest for palabra in opcion] + (["-LE", no] if no else [])
 
     def dora(self, que):
-        """Rehace los golden que se nombren (grua, grua-girada) y dice cuánto cambian.
-
-        Con --mira delante, o con «todo», que son todos, los dibuja aparte y enseña en una página los que cambian, el de
-        antes y el de ahora; y ./lab dora visto da por buenos los de esa página."""
-        pedidos = que.resto
-        if not pedidos:
-            raise Fallo("dora: di qué casos (grua, grua-girada), o «todo», que los enseña antes de rehacerlos")
-        golden = self.raiz / "tests/golden"
-        if not os.access(golden, os.W_OK):
-            raise Fallo(f"dora: no puedo escribir en {golden}")
-        if pedidos[0] in ("todo", "visto") and len(pedidos) > 1:
-            raise Fallo(f"dora {pedidos[0]}: no entiendo «{pedidos[1]}»")
+        """Rehace los golden que se nombren (grua, grua-girada), o «todo», y enseña en una página los que cambian: el de
+        antes y el de ahora."""
+        if not que.resto:
+            raise Fallo("dora: di qué casos (grua, grua-girada), o «todo»")
         self.prepara()
-        if pedidos == ["visto"]:
-            self.pasa_a("pruebas.dorado", self.raiz, self.build, "visto")
-        aparte = que.mira or pedidos == ["todo"]
-        casos, pasos = self.para_dorar([] if pedidos == ["todo"] else pedidos)
-        if not aparte:
-            return self.dibuja_golden(casos, pasos, 1)
-        destino = self.build / "dora"
-        shutil.rmtree(destino, ignore_errors=True)
-        shutil.copytree(golden, destino)
-        os.environ["GOLDEN"] = str(destino)
-        with open(self.build / "dora.log", "w") as registro:
-            mal = self.dibuja_golden(casos, pasos, len(os.sched_getaffinity(0)), stdout=registro, stderr=registro)
-        if mal:
-            aviso("\n".join((self.build / "dora.log").read_text().splitlines()[-5:]))
-            raise Fallo(f"dora: hay casos que no se pueden dibujar: {self.build}/dora.log")
-        self.pasa_a("pruebas.dorado", self.raiz, self.build, "mira")
-
-    def para_dorar(self, pedidos):
-        """Esos casos, y los pasos de los programas que se nombren; o todos. Los programas, compilados."""
-        programas = catalogo.lee_programas(self.build)
-        casos = catalogo.elegidos(programas, pedidos)
-        pasos = [f.stem for f in sorted((self.raiz / "tests/golden").rglob("*.pasos"))]
-        objetivos = ["sin_ventana"]
-        if pedidos:
-            pasos = [p for p in pasos if p in pedidos]
-            objetivos = [f"{pedido.split('-')[0]}_{self.sin_ventana}" for pedido in pedidos]
-        self.t.compila_para_usar("compara", *objetivos)
-        return [(c.programa.nombre, c.nombre) for c in casos], pasos
-
-    def dibuja_golden(self, casos, pasos, a_la_vez, **opciones):
-        os.environ.update(procesos.entorno(), DORA="1")
-        for enlace, lineas in (self.sin_ventana, [" ".join(c) for c in casos]), ("pasos", pasos):
-            quien = ["xargs", "-r", "-P", a_la_vez, "-L1", self.raiz / "tests/casos/casos.sh", self.build, enlace]
-            with tempfile.TemporaryFile("w+") as dichos:
-                dichos.write("".join(f"{linea}\n" for linea in lineas))
-                dichos.seek(0)
-                if estado := corre(quien, stdin=dichos, **opciones):
-                    return estado
-        return 0
+        pedidos = [] if que.resto == ["todo"] else que.resto
+        suyos = {c.programa.nombre for c in catalogo.elegidos(catalogo.lee_programas(self.build), pedidos)}
+        self.t.compila_para_usar("compara", *(f"{nombre}_{self.sin_ventana}" for nombre in sorted(suyos)))
+        self.pasa_a("pruebas.dorado", self.raiz, self.build, self.sin_ventana, *pedidos)
 
     def muta(self, que):
         """Planta defectos en los programas y en lo que llevan dentro y dice qué prueba nota cada uno.
@@ -463,7 +420,7 @@ ORDENES = {
     "windows": "",
     "lista": "[--tsv|--docs]",
     "mide": "[--ensayo] [TÉCNICA…]",
-    "dora": "[--mira] CASO…|todo|visto",
+    "dora": "CASO…|todo",
     "muta": "[QUÉ…|--azar N [--semilla S]|--comprueba]",
     "paquetes": "",
     "completa": "",
@@ -482,7 +439,6 @@ def analizador(orden):
         a.add_argument("programa", metavar="PROGRAMA")
         a.add_argument("resto", nargs=argparse.REMAINDER, metavar="…", help="va al programa")
     elif orden == "dora":
-        a.add_argument("--mira", action="store_true", help="los dibuja aparte y los enseña")
         a.add_argument("resto", nargs="*", metavar="CASO")
     elif orden == "muta":
         a.add_argument("--azar", type=int, default=0, metavar="N", help="tantos, en líneas al azar")
