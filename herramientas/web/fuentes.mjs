@@ -42,8 +42,8 @@ const ERROR = /([\w./]+\.(?:vert|frag|glsl))(?::| no compila: ERROR: 0:)(\d+): (
 export function leeError(linea, capitulo) {
   const mal = corta(linea, 1000).match(ERROR);
   if (mal) {
-    const [, ruta, n, mensaje] = mal;
-    return { ruta: ruta.includes('/') ? ruta : `${capitulo}/${ruta}`, linea: +n, mensaje: enEspanol(NAVEGADOR, mensaje) };
+    const [, ruta, n, dice] = mal, mensaje = enEspanol(NAVEGADOR, dice);
+    return { ruta: ruta.includes('/') ? ruta : `${capitulo}/${ruta}`, linea: +n, mensaje };
   }
   if (/no enlazan|#include/.test(linea)) return { ruta: '', linea: 0, mensaje: linea };
 }
