@@ -107,9 +107,11 @@ static void dibuja() {
     usaIluminado(p, camara, proyeccion, {glm::vec4(estado.luz, 1)});
     // Lo que se ve del tablero queda a 1 en la plantilla; los objetos que lo tapan lo devuelven a 0
     glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
+    glDepthMask(GL_FALSE); // la tabla, debajo de todo: con varias muestras su canto asomaría
     dibujaIluminado(p, estado.cubo,
                     traslacion({0, -TALLA_MESA.y / 2 - 0.01f, 0}) * escalado(TALLA_MESA - VUELO), camara,
                     pintura({0.55f, 0.38f, 0.22f}));
+    glDepthMask(GL_TRUE);
     glStencilFunc(GL_ALWAYS, 1, 0xff);
     const glm::mat4 tablero = escalado({TALLA_MESA.x / 8, 1, TALLA_MESA.z / 6});
     dibujaIluminado(p, estado.claras, tablero, camara, pintura({0.88f, 0.80f, 0.66f}));
