@@ -15,6 +15,16 @@ from mentira import RAIZ, faltan, siembra
 
 SALE = "build", "galeria", "explica", "web", "informe", "mios", "windows", "tests", ".git"
 UNO, TRES = "ch01_intro/primer_programa.cpp", "ch01_intro/shader_basico.cpp"
+PROGRAMA = """[[programa]]
+nombre = "{}"
+ref = "{}"
+titulo = "{}"
+contra = "c"
+pruebas = []
+  [[programa.caso]]
+  nombre = "base"
+  mira = "{}"
+"""
 CATALOGO = r"""titulo = "Título; con punto y coma"
 [[programa]]
 nombre = "primer_programa"
@@ -27,26 +37,8 @@ pruebas = []
   guion = '''tecla a ×2; tecla '; tecla "; tecla $; tecla <; tecla \; tecla b'''
   anima = "3 tecla i; tecla d"
   mira = '''Mira; y "[remira]" \'''
-[[programa]]
-nombre = "shader_basico"
-ref = "L1.2"
-titulo = "Tres"
-contra = "c"
-pruebas = []
-  [[programa.caso]]
-  nombre = "base"
-  mira = "Tres"
 """
-NUEVO = """[[programa]]
-nombre = "nuevo"
-ref = "E1.2"
-titulo = "Cuatro"
-contra = "una cuenta"
-pruebas = []
-  [[programa.caso]]
-  nombre = "base"
-  mira = "Es nuevo"
-"""
+CATALOGO += PROGRAMA.format("shader_basico", "L1.2", "Tres", "Tres")
 ASSETS = r"""#include <fstream>
 #include <string>
 int main(int, char **argv) { std::ofstream(std::string(argv[1]) + "/luz.rgb") << "luz"; }
@@ -143,7 +135,7 @@ def test_un_programa_mas(lab):
     """Con lo que dice CONTRIBUTING.md: sus ficheros y su tabla en el catálogo del capítulo. Lo demás sale de ahí."""
     for f in lab.raiz.glob("ch01_intro/shader_basico.*"):
         f.with_stem("nuevo").write_text(f.read_text().replace("shader_basico", "nuevo"))
-    lab.anade("ch01_intro/catalogo.toml", NUEVO)
+    lab.anade("ch01_intro/catalogo.toml", PROGRAMA.format("nuevo", "E1.2", "Cuatro", "Es nuevo"))
     lab("galeria", 0, "ch01_intro/nuevo: 1 imagen")
     assert not faltan((lab.raiz / "galeria/index.html").read_text(), '<article id="nuevo">', "Es nuevo")
     lab("ver E1.2", 0, "lo he dibujado en nuevo.png")
