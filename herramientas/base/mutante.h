@@ -5,6 +5,9 @@
 #include <cstdio>
 #include <cstdlib>
 
+inline std::FILE *const mutantesVistos = // desde que se carga: una prueba puede poner otro
+    std::getenv("LAB_LEIDOS") ? std::fopen(std::getenv("LAB_LEIDOS"), "a") : nullptr;
+
 inline bool mutante(int n) {
     static bool puesto[1 << 16];
     static const bool leidos = [] {
@@ -13,13 +16,11 @@ inline bool mutante(int n) {
             puesto[std::strtoul(texto, &fin, 10) % (1 << 16)] = true;
         return true;
     }();
-    static std::FILE *const vistos =
-        std::getenv("LAB_LEIDOS") ? std::fopen(std::getenv("LAB_LEIDOS"), "a") : nullptr;
     static bool yaVisto[1 << 16];
-    if (vistos && !yaVisto[n]) {
+    if (mutantesVistos && !yaVisto[n]) {
         yaVisto[n] = true;
-        std::fprintf(vistos, "%d\n", n);
-        std::fflush(vistos); // el proceso puede acabar de cualquier manera
+        std::fprintf(mutantesVistos, "%d\n", n);
+        std::fflush(mutantesVistos); // el proceso puede acabar de cualquier manera
     }
     return leidos && puesto[n];
 }

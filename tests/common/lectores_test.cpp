@@ -221,8 +221,6 @@ TEST(LeeVf, NoDependeDelIdioma) {
 }
 
 TEST(Recurso, SeBuscaPrimeroEnLabRaizYSeApuntaEnLabLeidos) {
-    recurso(
-        "ch03_transformaciones/objeto.vert"); // ./lab muta apunta en el primer $LAB_LEIDOS: que no sea el de aquí
     const fs::path raiz = carpetaTemporal() / "raiz", leidos = carpetaTemporal() / "leidos";
     fs::create_directories(raiz / "ch03_transformaciones");
     std::ofstream(raiz / "ch03_transformaciones/objeto.vert") << "otro";
