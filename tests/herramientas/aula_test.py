@@ -310,6 +310,7 @@ gilana_11111_222222_p.cpp leeme.txt → gilana_11111=p.cpp
 Clase/gil_11_22_mi_p.cpp Clase/luis_3_4_q.h → gil_11=mi_p.cpp luis_3=q.h
 T_1_al7_attempt_2026-11-20-09-30-00_p.cpp T_1_al7_attempt_2026-11-20-09-30-00.txt → al7=p.cpp
 T_a_attempt_2026-11-20-09-30-00_p.cpp T_a_attempt_2026-11-21-09-30-00_q_2.cpp → a=q_2.cpp
+T_1_ana_m_attempt_2026-11-20-09-30-00_p.cpp T_1_eva_m_attempt_2026-11-20-09-30-00_p.cpp → ana_m=p.cpp eva_m=p.cpp
 """.strip().splitlines()
 
 
