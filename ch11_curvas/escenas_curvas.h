@@ -1,8 +1,11 @@
-// Los puntos con que empiezan los programas de curvas, todos en z = 0 y dentro de [−4/3, 4/3]×[−1, 1]. Sin OpenGL.
+// Los puntos con que empiezan los programas de curvas, todos en z = 0 y dentro de [−4/3, 4/3]×[−1, 1], y sus matrices
+// escritas. Sin OpenGL.
 #pragma once
+#include "texto.h"
 #include <cmath>
 #include <glm/glm.hpp>
 #include <glm/gtc/constants.hpp>
+#include <string>
 #include <vector>
 
 const std::vector<glm::vec3> PUNTOS_BEZIER = {
@@ -22,6 +25,18 @@ const std::vector<glm::vec3> PUNTOS_BSPLINE = {{-1.05f, -0.05f, 0}, {-0.88f, 0.6
                                                {0.50f, -0.70f, 0},  {0.02f, -0.30f, 0}, {-0.62f, -0.72f, 0}};
 const float TALLA_MATRIZ = 0.034f; // la de las matrices base rotuladas
 const float LARGO_PUAS = 0.035f;   // la del peine donde la curvatura es 1
+
+/// La matriz en cuatro líneas, con cada número a centésimas y en `ancho` letras, y lo que va delante de la segunda.
+inline std::string filasDe(const std::string &delante, const glm::mat4 &M, int ancho) {
+    std::string filas;
+    for (int fila = 0; fila < 4; ++fila) {
+        filas += (fila == 1 ? delante : std::string(delante.size(), ' ')) + ABRE[fila];
+        for (int columna = 0; columna < 4; ++columna)
+            filas += formatea("%*.3g", ancho, aCentesimas(M[columna][fila]));
+        filas += CIERRA[fila] + std::string(fila < 3, '\n');
+    }
+    return filas;
+}
 
 /// Una onda con un zigzag encima, de x = 0 a x = 1.
 inline std::vector<glm::vec3> puntosZigzag(std::size_t n) {

@@ -8,7 +8,6 @@
 #include "curvas.h"
 #include "editor.h"
 #include "escenas_curvas.h"
-#include "matriz.h"
 #include "proyeccion.h"
 #include "recuadro.h"
 #include "rotulo.h"

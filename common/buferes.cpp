@@ -2,8 +2,7 @@
 #include "shader.h"
 #include <cstddef>
 
-// Un atributo que ocupa un sitio en cada vértice del buffer enlazado.
-static void ponAtributo(GLuint indice, GLint componentes, std::size_t vertice, std::size_t desplazamiento) {
+void ponAtributo(GLuint indice, GLint componentes, std::size_t vertice, std::size_t desplazamiento) {
     glVertexAttribPointer(indice, componentes, GL_FLOAT, GL_FALSE, GLsizei(vertice),
                           reinterpret_cast<const void *>(desplazamiento));
     glEnableVertexAttribArray(indice);

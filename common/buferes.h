@@ -12,6 +12,9 @@ struct Buferes {
 /// Lleva la malla a la GPU; los atributos van en los índices de shader.h (posicion, vNormal, coordTextura).
 Buferes creaBuferes(const Malla &malla);
 
+/// Un atributo que ocupa un sitio en cada vértice, de tantos bytes, del buffer enlazado.
+void ponAtributo(GLuint indice, GLint componentes, std::size_t vertice, std::size_t desplazamiento);
+
 /// Borra sus objetos de OpenGL. Los que no se han creado son 0, que se ignora.
 void borraBuferes(const Buferes &buferes);
 

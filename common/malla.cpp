@@ -139,9 +139,10 @@ void Queja::operator()(const std::string &seEsperaba) const {
 
 void leeLineas(const std::string &fichero, const std::string &nombre,
                const std::function<void(const std::string &, std::istream &, const Queja &)> &linea) {
-    const std::string leido = leeFichero(fichero), marca = "\xEF\xBB\xBF"; // la de UTF-8
-    std::istringstream texto(leido.compare(0, marca.size(), marca) == 0 ? leido.substr(marca.size()) : leido);
-    std::string entera, tipo;
+    std::string leido, entera, tipo, error;
+    if (!intentaTexto(fichero, leido, error))
+        falla(error);
+    std::istringstream texto(leido);
     for (int numero = 1; std::getline(texto, entera); ++numero) {
         std::istringstream palabras(entera.substr(0, entera.find('#')));
         if (palabras >> tipo)

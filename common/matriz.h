@@ -8,21 +8,6 @@
 #include <glm/glm.hpp>
 #include <string>
 
-/// Los trozos de un corchete de cuatro renglones.
-const char *const ABRE[] = {"⎡", "⎢", "⎢", "⎣"}, *const CIERRA[] = {"⎤", "⎥", "⎥", "⎦"};
-
-/// La matriz en cuatro líneas, con cada número a centésimas y en `ancho` letras, y lo que va delante de la segunda.
-inline std::string filasDe(const std::string &delante, const glm::mat4 &M, int ancho) {
-    std::string filas;
-    for (int fila = 0; fila < 4; ++fila) {
-        filas += (fila == 1 ? delante : std::string(delante.size(), ' ')) + ABRE[fila];
-        for (int columna = 0; columna < 4; ++columna)
-            filas += formatea("%*.3g", ancho, aCentesimas(M[columna][fila]));
-        filas += CIERRA[fila] + std::string(fila < 3, '\n');
-    }
-    return filas;
-}
-
 /// La matriz desde ese sitio del panel, el de su primer corchete; en morado, las columnas que no son de la identidad.
 inline void rotulaMatriz(const glm::mat4 &M, glm::vec2 lugar, float talla = 0.032f) {
     const float paso = 6 * 0.83f * talla * std::min(1 / relacionAspecto(), 0.75f); // seis letras por columna

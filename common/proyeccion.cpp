@@ -1,17 +1,15 @@
 #include "proyeccion.h"
-#include <GL/freeglut.h>
+#include "recuadro.h"
 #include <algorithm>
 #include <glm/gtc/matrix_transform.hpp>
 
 float relacionAspecto() {
-    const int ancho = std::max(glutGet(GLUT_WINDOW_WIDTH), 1),
-              alto = std::max(glutGet(GLUT_WINDOW_HEIGHT), 1);
-    return float(ancho) / float(alto);
+    return aspecto(ventanaEntera());
 }
 
 float altoUtil() {
-    return float(
-        altoUtilDe(std::max(glutGet(GLUT_WINDOW_WIDTH), 1), std::max(glutGet(GLUT_WINDOW_HEIGHT), 1)));
+    const Recuadro ventana = ventanaEntera();
+    return float(altoUtilDe(std::max(ventana.ancho, 1), std::max(ventana.alto, 1)));
 }
 
 glm::mat4 perspectivaVentana(float angulo, float cerca, float lejos, float aspecto, double compuesto) {

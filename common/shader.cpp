@@ -37,6 +37,20 @@ std::string_view recorta(std::string_view texto) {
     return texto.substr(inicio, texto.find_last_not_of(" \t\r\v\f") + 1 - inicio);
 }
 
+// El texto con los comentarios en blanco y lo demás en su sitio.
+std::string sinComentarios(std::string texto) {
+    std::size_t fin = 0; // del último que se ha abierto
+    for (std::size_t i = 0; i < texto.size(); ++i) {
+        if (i >= fin && texto.compare(i, 2, "//") == 0)
+            fin = std::min(texto.find('\n', i), texto.size());
+        else if (i >= fin && texto.compare(i, 2, "/*") == 0)
+            fin = std::min(texto.find("*/", i + 2), texto.size() - 2) + 2;
+        if (i < fin && texto[i] != '\n')
+            texto[i] = ' ';
+    }
+    return texto;
+}
+
 // El fichero que nombra una línea «#include "fichero"»; vacío si la línea no es eso.
 std::string_view incluidoEn(std::string_view linea) {
     const std::string_view orden = "#include";
@@ -53,19 +67,17 @@ std::string_view incluidoEn(std::string_view linea) {
 // ficheros que se están leyendo, cada uno incluido por el anterior.
 bool leeLineas(const std::string &fichero, std::vector<Linea> &lineas, std::vector<std::string> &pila,
                std::string &error) {
-    std::string ruta, contenido, linea;
+    std::string ruta, contenido, linea, enCodigo;
     if (!intentaRecurso(fichero, ruta, error))
         return false;
     leidos[ruta] = fecha(ruta);
-    if (!intentaLeer(ruta, contenido, error))
+    if (!intentaTexto(ruta, contenido, error))
         return false;
-    if (const std::string_view bom = "\xEF\xBB\xBF"; contenido.substr(0, bom.size()) == bom)
-        contenido.erase(0, bom.size()); // lo pone el Bloc de notas de Windows
     pila.push_back(fichero);
-    std::istringstream texto(contenido);
-    for (int numero = 1; std::getline(texto, linea); ++numero) {
+    std::istringstream texto(contenido), codigo(sinComentarios(contenido));
+    for (int numero = 1; std::getline(texto, linea) && std::getline(codigo, enCodigo); ++numero) {
         const std::string incluido(incluidoEn(linea));
-        if (incluido.empty()) {
+        if (incluido.empty() || recorta(enCodigo).empty()) {
             lineas.push_back({fichero, linea, numero});
             continue;
         }
@@ -143,36 +155,25 @@ std::string traduceInforme(const std::string &informe, const std::vector<Linea> 
         }
         salida += (salida.empty() ? "" : "\n") + linea;
     }
-    return salida;
+    return salida.empty() ? fichero + ": no vale, y el compilador no dice por qué" : salida;
 }
 
 // Si fuera de los comentarios hay una letra que no es ASCII, que en GLSL no vale y el compilador no dice cuál es, qué
 // letra es y dónde está.
 std::string letraQueNoVale(const std::string &texto, const std::vector<Linea> &lineas) {
-    std::size_t n = 0, columna = 0, abre = 0;
-    char comentario = 0; // en el que se está: de // o de /*
-    for (std::size_t i = 0; i < texto.size(); ++i) {
-        const unsigned char c = texto[i], otra = texto.c_str()[i + 1];
-        columna = c == '\n' ? 0 : columna + ((c & 0xC0) != 0x80);
-        n += c == '\n';
-        bool cambia = c == '/' && (otra == '/' || otra == '*');
-        if (comentario)
-            cambia = comentario == '/' ? c == '\n' : c == '/' && texto[i - 1] == '*' && i > abre + 2;
-        if (cambia) {
-            comentario = comentario ? char(0) : char(otra);
-            abre = i;
-        } else if (!comentario && c > 0x7F && n < lineas.size()) {
-            std::size_t fin = i + 1;
-            while ((texto[fin] & 0xC0) == 0x80)
-                ++fin;
-            const std::string letra = texto.substr(i, fin - i);
-            const std::string que =
-                letra == "\u00A0" ? "este espacio no es el del teclado y" : "la letra «" + letra + "»";
-            return lineas[n].fichero + ":" + std::to_string(lineas[n].numero) + ": en la columna " +
-                   std::to_string(columna) + ", " + que + " no vale en GLSL fuera de un comentario";
-        }
-    }
-    return {};
+    const std::string codigo = sinComentarios(texto);
+    const auto sigue = [](char c) { return (c & 0xC0) == 0x80; }; // la letra de antes
+    const auto mala = std::find_if(codigo.begin(), codigo.end(), [](char c) { return c & 0x80; });
+    if (mala == codigo.end())
+        return {};
+    const std::size_t i = mala - codigo.begin(), principio = texto.rfind('\n', i) + 1; // si no hay, 0
+    const Linea &l = lineas[std::count(codigo.begin(), mala, '\n')];
+    const auto columna = i + 1 - principio - std::count_if(&texto[principio], &texto[i], sigue);
+    const std::string letra(mala, std::find_if_not(mala + 1, codigo.end(), sigue));
+    const std::string que =
+        letra == "\u00A0" ? "este espacio no es el del teclado y" : "la letra «" + letra + "»";
+    return l.fichero + ":" + std::to_string(l.numero) + ": en la columna " + std::to_string(columna) + ", " +
+           que + " no vale en GLSL fuera de un comentario";
 }
 
 GLuint compila(GLenum tipo, const std::string &fichero, std::string &texto, std::string &error) {
@@ -198,8 +199,6 @@ GLuint compila(GLenum tipo, const std::string &fichero, std::string &texto, std:
     error = letraQueNoVale(texto, lineas);
     if (error.empty())
         error = traduceInforme(informe.c_str(), lineas, fichero);
-    if (error.empty())
-        error = fichero + ": no compila y el compilador no dice por qué";
     glDeleteShader(shader);
     return 0;
 }
@@ -234,9 +233,7 @@ GLuint intentaPrograma(const std::string &vert, const std::string &frag, std::st
         glGetProgramiv(programa, GL_INFO_LOG_LENGTH, &longitud);
         std::string informe(longitud + 1, '\0');
         glGetProgramInfoLog(programa, longitud + 1, nullptr, informe.data());
-        error = traduceInforme(informe.c_str(), {}, vert);
-        error =
-            vert + " y " + frag + " no enlazan: " + (error.empty() ? "el enlazador no dice por qué" : error);
+        error = vert + " y " + frag + " no enlazan: " + traduceInforme(informe.c_str(), {}, vert);
     }
     borraPrograma(programa);
     return 0;

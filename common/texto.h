@@ -15,6 +15,9 @@
     return texto;
 }
 
+/// Los trozos de un corchete de cuatro renglones.
+const char *const ABRE[] = {"⎡", "⎢", "⎢", "⎣"}, *const CIERRA[] = {"⎤", "⎥", "⎥", "⎦"};
+
 /// Redondeado, que cos 90° no se escriba −4.4e−8; y sin el signo de −0.
 template<class Real>
 double aCentesimas(Real x) {

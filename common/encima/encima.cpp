@@ -1,4 +1,5 @@
 #include "encima.h"
+#include "buferes.h"
 #include "error.h"
 #include "letra.h"
 #include "shader.h"
@@ -27,13 +28,8 @@ Pincel creaPincel() {
     glBindVertexArray(p.vao);
     glGenBuffers(1, &p.bufer);
     glBindBuffer(GL_ARRAY_BUFFER, p.bufer);
-    const auto atributo = [](GLuint indice, GLint componentes, std::size_t desplazamiento) {
-        glVertexAttribPointer(indice, componentes, GL_FLOAT, GL_FALSE, sizeof(VerticePintado),
-                              reinterpret_cast<const void *>(desplazamiento));
-        glEnableVertexAttribArray(indice);
-    };
-    atributo(ATRIBUTO_POSICION, 3, offsetof(VerticePintado, posicion));
-    atributo(ATRIBUTO_COORD_TEXTURA, 2, offsetof(VerticePintado, enAtlas));
+    ponAtributo(ATRIBUTO_POSICION, 3, sizeof(VerticePintado), offsetof(VerticePintado, posicion));
+    ponAtributo(ATRIBUTO_COORD_TEXTURA, 2, sizeof(VerticePintado), offsetof(VerticePintado, enAtlas));
 
     glGenTextures(1, &p.atlas);
     glBindTexture(GL_TEXTURE_2D, p.atlas);

@@ -171,8 +171,7 @@ class Taller:
             minutos = max(1, round(int(paso[2]) * SEGUNDOS_POR_PASO / procesadores / 60))
             aviso(f"Compilo: {paso[2]} pasos, unos {minutos} min con {procesadores} procesadores")
         if not linea or paso:
-            if sys.stderr.isatty():
-                print(f"\r\033[K{linea.strip()[:100]}", end="", file=sys.stderr, flush=True)
+            procesos.por_donde(linea)
         elif not re.match(r"-- |FAILED: |(: && )?/\S+ .* -o |ninja: (?!error: |build stopped: .* space)", linea):
             aviso(linea.rstrip())
 

@@ -10,6 +10,7 @@ from pathlib import Path
 SHADERS = ".vert", ".frag", ".glsl"
 NOMBRADO = re.compile(r'"([\w./]+\.(?:h|cpp|vert|frag|glsl))"')
 INCLUYE = re.compile(r'[ \t\v\f]*#include[ \t\v\f]*"([^"]+)"[ \t\v\f]*$')  # de GLSL, como lo hace common/shader.cpp
+COMENTARIO = re.compile(r"//[^\n]*|/\*.*?(\*/|\Z)", re.S)
 LINEAS, HONDO = 20000, 8  # de un shader con lo que incluye
 
 
@@ -38,6 +39,7 @@ def alcanza(raiz, *ficheros):
 
 
 def en_lineas(texto):
+    texto = (texto if "\n" in texto else texto.replace("\r", "\n")).removeprefix("\ufeff")
     return [linea.rstrip("\r") for linea in texto.removesuffix("\n").split("\n")] if texto else []
 
 
@@ -49,11 +51,13 @@ def con_sitios(lee, shader):
     def pon(nombre, hondo):
         nonlocal quedan
         fichero, texto = lee(nombre)
-        for numero, linea in enumerate(en_lineas(texto), 1):
+        lineas = en_lineas(texto)
+        codigo = COMENTARIO.sub(lambda m: re.sub(".", " ", m[0]), "\n".join(lineas)).split("\n")
+        for numero, (linea, suyo) in enumerate(zip(lineas, codigo), 1):
             quedan -= 1
             if quedan < 0:
                 return
-            if hondo and (incluye := INCLUYE.match(linea)):
+            if hondo and suyo.strip() and (incluye := INCLUYE.match(linea)):
                 pon(incluye[1], hondo - 1)
             else:
                 salen.append((fichero, numero, linea))

@@ -17,10 +17,6 @@ def identificadores(texto):
     return " ".join(dict.fromkeys(PALABRA.findall(APARTE.sub(" ", texto))))
 
 
-def mayuscula(texto):
-    return texto[:1].upper() + texto[1:]
-
-
 def llano(en_html):
     return html.unescape(ETIQUETA.sub("", en_html))
 
@@ -31,7 +27,7 @@ def zonas(raiz, del_libro, programa):
     yield "nombre", suyo, suyo
     yield "título", suyo, programa.titulo
     for codigo, que in del_libro.referencias(programa):
-        yield "libro", codigo, mayuscula(que)
+        yield "libro", codigo, que[:1].upper() + que[1:]
     for caso in programa.casos:
         yield "imagen", caso.fichero, ": ".join(filter(None, (caso.titulo, caso.mira)))
     yield "teclas", suyo, " · ".join(c.texto for c in controles.lee(raiz, programa))

@@ -7,7 +7,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-from base.procesos import Fallo
+from base.procesos import Fallo, por_donde
 
 TABLA = [fila.split("\t") for fila in Path(__file__).with_name("paquetes.tsv").read_text().splitlines()]
 PARA = {para: [fila[0] for fila in TABLA if fila[1] == para] for _, para, *_ in TABLA}
@@ -77,10 +77,9 @@ def apt(como, registro, *palabras):
         proceso = subprocess.Popen(orden, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace")
         for linea in proceso.stdout:
             escribe.write(linea)
-            if sys.stderr.isatty() and AVANCE.match(linea):
-                print(f"\r\033[K{linea.strip()[:100]}", end="", file=sys.stderr, flush=True)
-        if sys.stderr.isatty():
-            print("\r\033[K", end="", file=sys.stderr, flush=True)
+            if AVANCE.match(linea):
+                por_donde(linea)
+    por_donde()
     return proceso.wait()
 
 

@@ -2,6 +2,7 @@
 acabar en una línea cuando algo falla y enseguida, con todo lo que se haya puesto en marcha, cuando llega una señal."""
 import errno
 import os
+import shutil
 import signal
 import subprocess
 import sys
@@ -99,6 +100,12 @@ def ejecuta(orden, **opciones):
     return proceso.stdout
 
 
+def por_donde(va=""):
+    """En una terminal, en una línea que se pisa; sin nada, se borra."""
+    if sys.stderr.isatty():
+        print(f"\r\033[K{va.strip()[: shutil.get_terminal_size().columns - 1]}", end="", file=sys.stderr, flush=True)
+
+
 def entorno(carpeta=Path(__file__).parent):
     """Las variables de su entorno.txt: el de aquí fija la imagen; el de build/ tiene además la caché de shaders de
     las pruebas."""
@@ -134,6 +141,7 @@ def acaba_bien(hace):
             sys.stdout.flush()
         sys.exit(resultado)
     except Fallo as fallo:
+        por_donde()
         sys.exit(f"lab: {fallo}")
     except OSError as error:
         os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # si era la salida, que al acabar no se intente otra vez

@@ -146,9 +146,9 @@ class Galeria:
         with self.turno:
             self.dibujados += 1
             n, todos = self.dibujados, len(self.programas)
-            borra = "\r\033[K" if sys.stderr.isatty() else ""  # por dónde iba el compilador
+            procesos.por_donde()  # donde iba el compilador
             cual = f"{programa.capitulo.nombre}/{programa.nombre}"
-            print(f"{borra}[{n:2}/{todos}] {cual}: {'; '.join(fallos) or hecho}", file=sys.stderr)
+            print(f"[{n:2}/{todos}] {cual}: {'; '.join(fallos) or hecho}", file=sys.stderr)
             if n < todos and time.monotonic() > self.escrita + CADA:
                 self.pagina.escribe(todos - n)
                 self.escrita = time.monotonic()

@@ -6,14 +6,13 @@ import random
 import re
 import resource
 import statistics
-import sys
 import tempfile
 import time
 from dataclasses import dataclass
 from pathlib import Path
 
 from base import catalogo, evidencia
-from base.procesos import ejecuta, escribe
+from base.procesos import ejecuta, escribe, por_donde
 
 TALLAS = ("960x720", "1920x1080")
 
@@ -40,12 +39,6 @@ def milisegundos(orden, carpeta):
     return 1000 * (despues.ru_utime + despues.ru_stime - antes.ru_utime - antes.ru_stime)
 
 
-def avisa(texto, fin="\n"):
-    """Por dónde va: en una terminal, en la misma línea."""
-    antes, despues = ("\r\033[K", fin) if sys.stderr.isatty() else ("", "\n")
-    print(f"{antes}{texto}", end=despues, file=sys.stderr, flush=True)
-
-
 def mide_imagen(programa, build, talla, carpeta):
     """Los campos que escribe con -mide."""
     orden = [programa.ejecutable(build), "-geometry", talla, "-mide", "5", "-ppm", "x.ppm"]
@@ -62,14 +55,14 @@ def costes(raiz, build, destino, llenar, rondas=9):
     tabla, suelos, arranques = [], [], {p.nombre: [] for p in programas}
     with tempfile.TemporaryDirectory() as carpeta:
         for ronda in range(1, rondas + 1):
-            avisa(f"costes: ronda {ronda} de {rondas}", "")
+            por_donde(f"costes: ronda {ronda} de {rondas}")
             veces = [milisegundos([suelo, "x.ppm"], carpeta) for _ in range(9)] if suelo.exists() else [math.nan]
             suelos.append(statistics.median(veces))
             for p in azar.sample(programas, len(programas)):
                 orden = [p.ejecutable(build), "-geometry", "240x180", "-ppm", "x.ppm"]
                 arranques[p.nombre].append(milisegundos(orden, carpeta))
         for n, p in enumerate(programas, 1):
-            avisa(f"costes {n}/{len(programas)}: {p.nombre}", "")
+            por_donde(f"costes {n}/{len(programas)}: {p.nombre}")
             campos = [mide_imagen(p, build, talla, carpeta) for talla in TALLAS]
             ms = [float(c[3]) for c in campos]
             suyos, ultimos = arranques[p.nombre], campos[-1]
@@ -78,7 +71,7 @@ def costes(raiz, build, destino, llenar, rondas=9):
             errores = evidencia.errores(comprobado.get(p.nombre, {}))
             arranque, primera = statistics.median(suyos), float(ultimos[2])
             tabla.append(Coste(p.nombre, arranque, primera, veces_suelo, ms, ms[-1] / llenar, *ocupa, errores))
-    avisa(f"costes: {len(tabla)} programas")
+    por_donde()
     escribe(destino / "costes.tsv", en_tsv(tabla))
     return tabla, suelos if suelo.exists() else []
 

@@ -16,10 +16,6 @@ def color(v):
     return ROJO if v.elegida else GRIS if v.optima is False else AZUL
 
 
-def decadas(valores):
-    return 10 ** math.floor(math.log10(min(valores) * 0.8)), 10 ** math.ceil(math.log10(max(valores) * 1.25))
-
-
 def dibuja(tecnica, svg):
     """Error frente a tiempo, los dos en logaritmo, con el frente de cada grupo unido y el número de cada variante en la
     tabla."""
@@ -28,9 +24,9 @@ def dibuja(tecnica, svg):
     finitos = [e for e in errores if 0 < e < math.inf]
     if not finitos:
         return False
-    abajo, arriba = decadas(finitos)  # y una década más para el 0 y el infinito
-    abajo /= 10 if 0 in errores else 1
-    arriba *= 10 if math.inf in errores else 1
+    # décadas enteras, y una más para el 0 y el infinito
+    abajo = 10 ** math.floor(math.log10(min(finitos) * 0.8)) / (10 if 0 in errores else 1)
+    arriba = 10 ** math.ceil(math.log10(max(finitos) * 1.25)) * (10 if math.inf in errores else 1)
 
     def datos(nombre, variantes):
         y = {0: abajo * 1.5, math.inf: arriba / 1.5}

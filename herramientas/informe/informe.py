@@ -80,7 +80,7 @@ def informa(raiz, build, destino, tecnicas, entorno, todo):
         tabla, suelo = costes.costes(raiz, build, destino, llenar)
     suelo = statistics.median(suelo or [math.nan])
     escribe_pagina(destino, tecnicas, metas=metas(tecnicas, tabla), costes=tabla, suelo=suelo, entorno=entorno)
-    costes.avisa(f"Hecho: {destino}/index.html")
+    print(f"Hecho: {destino}/index.html", file=sys.stderr)
 
 
 def main():

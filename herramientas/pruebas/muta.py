@@ -201,10 +201,10 @@ class Vivero:
 
         malas = []
         for i, (p, pasa) in enumerate(zip(pruebas, hilos.map(ejecuta, pruebas)), 1):
-            if sys.stderr.isatty():
-                print(f"\r{i}/{len(pruebas)}", end="\n" if i == len(pruebas) else "", file=sys.stderr)
+            procesos.por_donde(f"{i}/{len(pruebas)}")
             if not pasa:
                 malas.append(p)
+        procesos.por_donde()
         for p in malas:
             print(f"{p.nombre}: falla sin ningún mutante\n{p.salida[-1000:]}")
         if malas:

@@ -2,9 +2,11 @@
 
 /// Las líneas de un shader con sus #include en su sitio, como las da common/shader.cpp: { fichero, linea, texto }.
 export function conInclusiones(ruta, textos, pila = []) {
-  return textos[ruta].replace(/^\ufeff/, '').replace(/\n$/, '').split('\n').flatMap((texto, i) => {
+  const todo = textos[ruta].replace(/^\ufeff/, '').replace(/\n$/, '');
+  const codigo = todo.replace(/\/\/.*|\/\*[^]*?(\*\/|$)/g, c => c.replace(/./g, ' ')).split('\n');
+  return todo.split('\n').flatMap((texto, i) => {
     const [, incluido] = texto.match(/^\s*#include\s*"(.+)"\s*$/) ?? [];
-    return incluido && textos[incluido] !== undefined && !pila.includes(incluido)
+    return incluido && codigo[i].trim() && textos[incluido] !== undefined && !pila.includes(incluido)
       ? conInclusiones(incluido, textos, [...pila, ruta]) : { fichero: ruta, linea: i + 1, texto };
   });
 }

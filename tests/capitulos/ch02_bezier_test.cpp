@@ -31,9 +31,6 @@ glm::dvec3 exacta(const Parche &q, double u, double v, int du = 0, int dv = 0) {
         G[k / 4][k % 4] = q.p[k / 4][k % 4];
     return superficieRef(Base::BEZIER, G, v, u, dv, du);
 }
-glm::dvec3 normalExacta(const Parche &q, double u, double v) {
-    return normalDe([&](double s, double t, int du, int dv) { return exacta(q, s, t, du, dv); }, u, v);
-}
 
 /// Lo más que se separan los triángulos de la tetera de la superficie.
 double errorDeCuerda(double tolerancia, int paso) {
@@ -87,7 +84,8 @@ Objeto teteraDensa() {
                 const std::size_t k = vertices.size();
                 if (i < N && j < N)
                     indices.insert(indices.end(), {{k, k + 1, k + N + 2}, {k, k + N + 2, k + N + 1}});
-                vertices.push_back({enPie(exacta(q, u, v)), enPie(normalExacta(q, u, v))});
+                const auto suya = [&](double s, double t, int du, int dv) { return exacta(q, s, t, du, dv); };
+                vertices.push_back({enPie(exacta(q, u, v)), enPie(normalDe(suya, u, v))});
             }
     return malla(Mat4(), vertices, indices);
 }

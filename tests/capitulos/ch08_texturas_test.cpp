@@ -308,9 +308,7 @@ Vec3 normalDesplazada(const Impacto &i) {
                                       desplazada(i.s, i.t + d) - desplazada(i.s, i.t - d)));
     return escalar(n, i.normal) < 0 ? -n : n;
 }
-Camara camaraBump(double azimut, double elevacion, double distancia) {
-    return perspectiva(orbita(azimut, elevacion, distancia, {0, -0.25, 0}), 0.45, 1, 100);
-}
+const Camara CAMARA_BUMP = perspectiva(orbita(0.3, 0.5, 8.8, {0, -0.25, 0}), 0.45, 1, 100);
 
 // En cada objeto, la luz sobre la superficie desplazada de verdad (con su normal, en el punto sin desplazar). En el
 // plano no hay más error que el mapa de 8 bits y su filtro; en la bola, además, lo que §8.4 desprecia: que al alejarse
@@ -331,7 +329,7 @@ TEST(Bump, LaLuzDeLaSuperficieDesplazada) {
         const int paneles = int(c.conBultos.size());
         for (int k = 0; k < paneles; ++k) {
             const bool con = c.conBultos[k];
-            const Panel panel(camaraBump(0.3, 0.5, 8.8), v.escena, k, paneles, paneles);
+            const Panel panel(CAMARA_BUMP, v.escena, k, paneles, paneles);
             const ImagenRef ref = render(ESCENA_BUMP, panel, [&](const Impacto &i) -> Tono {
                 const bool bola = i.objeto == BOLA_BUMP;
                 if (!i || (bola && (escalar(haciaOjo(i), i.normal) < 0.3 ||

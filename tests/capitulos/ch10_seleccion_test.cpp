@@ -39,11 +39,6 @@ Camara camaraA(double distancia, double azimut = 0.25) {
 }
 const Camara CAMARA = camaraA(DISTANCIA);
 
-/// El que se ve en ese punto; 0, si no se elige ninguno. La y, desde arriba, como en GLUT.
-int objetoEn(const glm::ivec2 &talla, double x, double y, const Camara &camara = CAMARA) {
-    return std::max(primerImpacto(ESCENA, rayo(camara, talla.x, talla.y, x, talla.y - y)).objeto, 0);
-}
-
 /// Lo que el programa dice haber elegido en cada clic.
 std::vector<std::string> elige(const std::vector<glm::ivec2> &clics, std::string guion,
                                const glm::ivec2 &talla) {
@@ -74,9 +69,9 @@ std::size_t compruebaClics(const glm::ivec2 &talla, int paso, const std::string 
     int dudosos = 0;
     for (std::size_t i = 0; i < std::min(clics.size(), elegidos.size()); ++i) {
         const auto vale = [&](double dx, double dy) {
-            const int objeto =
-                objetoEn(talla, clics[i].x + 0.5 + dx / 32, clics[i].y + 0.5 + dy / 32, camara);
-            return elegidos[i] == NOMBRES[objeto];
+            const double x = clics[i].x + 0.5 + dx / 32, y = talla.y - (clics[i].y + 0.5 + dy / 32);
+            const int objeto = primerImpacto(ESCENA, rayo(camara, talla.x, talla.y, x, y)).objeto;
+            return elegidos[i] == NOMBRES[std::max(objeto, 0)]; // el 0, si no se elige ninguno
         };
         if (vale(0, 0))
             continue;

@@ -50,7 +50,7 @@ int main(int argc, char **argv) {
                 }
         // lo menos que debe verse de una escena de la que alguien se ha alejado: el 0.5 % de los píxeles
         if (queda && 200 * pintados < imagen.ancho * imagen.alto) {
-            std::printf("%s: no se ve más que fondo\n", argv[i]);
+            std::printf("%s: solo se ven %d píxeles, y la escena debe ocupar el 0.5 %%\n", argv[i], pintados);
             estado = 1;
         }
         for (int k = 0; k < 4; ++k) {

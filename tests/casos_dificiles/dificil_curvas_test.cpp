@@ -12,9 +12,6 @@ Largo combinatorio(int n, int k) {
         c = c * (n - k + i) / i;
     return c;
 }
-Largo bernsteinExacto(int n, int k, Largo u) {
-    return combinatorio(n, k) * std::pow(u, k) * std::pow(1 - u, n - k);
-}
 
 /// El mayor error relativo de los n + 1 polinomios, en redondeos de T.
 template<typename T>
@@ -22,7 +19,7 @@ double errorDeBernstein(int n, double redondeo) {
     return peorDe({0.125, 0.25, 0.5, 0.6875, 0.9375}, [=](double u) { // exactos en float
         const std::vector<T> b = bernstein(n, T(u));
         return peorHasta(n + 1, [&](int k) {
-            const Largo exacto = bernsteinExacto(n, k, u);
+            const Largo exacto = combinatorio(n, k) * std::pow(Largo(u), k) * std::pow(1 - Largo(u), n - k);
             const bool subnormal =
                 exacto <= Largo(std::numeric_limits<T>::min()); // no tiene todas las cifras
             return subnormal ? 0 : std::fabs(b[k] / exacto - 1) / redondeo;

@@ -69,6 +69,8 @@ const Rotura ROTURAS[] = {
      "taller/a.frag:4: en la columna 13, la letra «ñ» no vale en GLSL"},
     {{{"a.frag", CABECERA + "float\u00A0x;\n"}},
      "taller/a.frag:3: en la columna 6, este espacio no es el del teclado y no vale en GLSL"},
+    {{{"a.frag", std::string("\xFF\xFE#\0v\0", 6)}},
+     "taller/a.frag» está en UTF-16: ábrelo en el editor y guárdalo"},
     {{{"a.vert", "#version 150\nvoid main() {\n}\n"}}, "taller/a.vert:1: error: GLSL 1.50 is not supported"},
     {{{"a.frag", CABECERA + "#include \"taller/no_esta.glsl\"\n"}},
      "taller/a.frag:3: no encuentro «taller/no_esta.glsl»; lo he buscado en "},
@@ -122,10 +124,11 @@ TEST(Shaders, UnoRoto) {
 // buffers, aunque el shader tenga antes otro atributo.
 TEST(Shaders, LoQueSePuede) {
     const std::string incluye = "#include \"taller/c.glsl\"\n";
-    const Ficheros dosVeces = {{"a.frag", CABECERA + "void main() {\n    float x = 0.0;\n" + incluye +
-                                              incluye +
-                                              "    colorFragmento = vec4(0, step(1.0, x), 0, 1);\n}\n"},
-                               {"c.glsl", "    x += 0.5;\n"}};
+    const Ficheros dosVeces = {
+        {"a.frag", CABECERA +
+                       "/* /\n#include \"taller/no_esta.glsl\"\n// */\nvoid main() {\n    float x = 0.0;\n" +
+                       incluye + incluye + "    colorFragmento = vec4(0, step(1.0, x), 0, 1);\n}\n"},
+        {"c.glsl", "    x += 0.5;\n"}};
     const Ficheros conNormal = {{"a.vert", R"(#version 140
 in vec3 posicion, antes, vNormal;
 out vec2 st;
@@ -134,7 +137,9 @@ void main() {
     gl_Position = vec4(posicion.x - 0.5, 2.0 * posicion.y, 0.0, 1.0);
 }
 )"}};
-    for (const Ficheros &cambios : {dosVeces, conNormal}) {
+    Ficheros deMac = dosVeces;
+    std::replace(deMac["a.frag"].begin(), deMac["a.frag"].end(), '\n', '\r');
+    for (const Ficheros &cambios : {dosVeces, conNormal, deMac}) {
         const Ejecucion e = taller({version("vec4(st, 0, 1)", AZUL, cambios)});
         EXPECT_EQ(e.errores, "");
         EXPECT_EQ(mitades(e.imagen), "verde azul");

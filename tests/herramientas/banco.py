@@ -100,5 +100,5 @@ def banco_falso(temporal, **mas):
         "de_otro": lambda ruta: Banco.de_otro(banco, ruta),
         "huella": lambda *que: Banco.huella(banco, *que),
     }
-    banco = SimpleNamespace(**{**hay, "arbitro": None, **mas})
+    banco = SimpleNamespace(**{**hay, "arbitro": SimpleNamespace(), **mas})
     return banco

@@ -2,6 +2,8 @@
 lo pregunta a quien busca parecidos (parecidos.py): los que van tras un tipo, o los que se usan como variables."""
 import re
 
+from base.fuentes import COMENTARIO
+
 TIPOS = "float|int|auto|double|bool|unsigned|mat[234]|d?vec[234]|ivec[234]|size_t|string"
 DECLARA = re.compile(rf"\b(?:{TIPOS})\b\s*&?\s+(\w+)\s*(?=[=;,)(:])")
 # Ni campo, ni de un espacio de nombres, ni lo que se llama, ni un tipo, que lleva otro nombre detrás.
@@ -17,10 +19,6 @@ NOMBRES = "mi", "valor", "aux", "tmp", "el"
 DICHOS = "ahora", "esto hace lo suyo", "no tocar"
 
 
-def sin_comentarios(texto):
-    return re.sub(r"//[^\n]*|/\*.*?\*/", "", texto, flags=re.S)
-
-
 def tras_un_tipo(todo):
     """Lo que declara y no es campo de nada."""
     return {n for n in DECLARA.findall(todo) if n != "main" and not re.search(rf"(?:\.|->)\s*{n}\b", todo)}
@@ -32,7 +30,7 @@ def como_variables(todo):
 
 
 def otros_nombres(ficheros, azar, suyos):
-    todo = "\n".join(map(sin_comentarios, ficheros.values()))
+    todo = COMENTARIO.sub("", "\n".join(ficheros.values()))
     return {n: f"{azar.choice(NOMBRES)}{azar.choice('ABCDEFG')}{i}" for i, n in enumerate(sorted(suyos(todo)))}
 
 
@@ -77,7 +75,7 @@ def copia(ficheros, azar, baraja=True, suyos=tras_un_tipo):
     """BARAJA: también el orden, que puede no compilar. SUYOS: a qué se cambia el nombre, que también."""
     otro, copiados = otros_nombres(ficheros, azar, suyos), {}
     for fichero, texto in ficheros.items():
-        texto = renombra(sin_comentarios(texto), otro)
+        texto = renombra(COMENTARIO.sub("", texto), otro)
         if baraja and fichero.endswith((".h", ".cpp")):
             texto = en_otro_orden(texto, azar)
         copiados[fichero] = con_otros_comentarios(texto, azar)

@@ -320,6 +320,12 @@ def test_los_fuentes_de_un_programa(tmp_path):
     assert list(map(str, alcanzados)) == ["ch01/a.cpp", "ch01/b.h", "ch02/c.h", "ch01/a.frag"]
 
 
+def test_cada_linea_de_un_shader_en_su_fichero():
+    textos = {"a": '\ufeffuno\r\n/* //\n#include "b"\n*/ // /*\n#include "b"\nfin\n', "b": '/*/dos\r#include "a"'}
+    lineas = fuentes.con_sitios(lambda nombre: (nombre, textos[nombre]), "a")
+    assert [f"{f}{n}" for f, n, _ in lineas] == ["a1", "a2", "a3", "a4", "b1", "b2", "a6"]
+
+
 EN_BREVE = {
     "": "",
     "espera 0": "",

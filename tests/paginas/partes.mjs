@@ -502,10 +502,12 @@ test('un número, como se lee', () => {
 
 test('cada línea de un shader, en su fichero', () => {
   const textos = { 'a.frag': '#version 140\n#include "b.glsl"\nmain\n',
-    'b.glsl': '\ufeffuno\n#include "c.glsl"\n', 'c.glsl': 'dos\n#include "a.frag"' };
+    'b.glsl': '\ufeff/*\n#include "c.glsl"\n*/uno\n#include "c.glsl"\n', 'c.glsl': 'dos\n#include "a.frag"' };
   assert.deepEqual(conInclusiones('a.frag', textos).map(l => `${l.fichero}:${l.linea} ${l.texto}`),
-    ['a.frag:1 #version 140', 'b.glsl:1 uno', 'c.glsl:1 dos', 'c.glsl:2 #include "a.frag"', 'a.frag:3 main']);
-  const es = '#version 300 es\nprecision highp float;\n#line 2\nuno\ndos\n#include "a.frag"\nmain\n';
+    ['a.frag:1 #version 140', 'b.glsl:1 /*', 'b.glsl:2 #include "c.glsl"', 'b.glsl:3 */uno', 'c.glsl:1 dos',
+      'c.glsl:2 #include "a.frag"', 'a.frag:3 main']);
+  const es = '#version 300 es\nprecision highp float;\n#line 2\n' +
+    '/*\n#include "c.glsl"\n*/uno\ndos\n#include "a.frag"\nmain\n';
   tabla((texto, i) => { const l = lineasDe(texto, textos, 'frag')[i]; return `${l.fichero}:${l.linea}`; },
-    [es, 3, 'c.glsl:2'], [es, 4, 'a.frag:3'], [es + 'otro\n', 4, ':5']);
+    [es, 5, 'c.glsl:2'], [es, 6, 'a.frag:3'], [es + 'otro\n', 4, ':5']);
 });

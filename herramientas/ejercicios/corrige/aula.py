@@ -1,5 +1,6 @@
 """Lo que da una plataforma: una carpeta o un .zip con lo de todos, como los descarga Moodle, Canvas o Blackboard, y
 dentro, lo que subió cada uno."""
+import os
 import re
 import zipfile
 from pathlib import Path
@@ -20,7 +21,7 @@ SUELTOS = (
     re.compile(
         r"(?P<quien>[^_]+_)(?:LATE_)?(?P<numero>\d+)_\d+(?P<fecha>)_(?P<resto>.+?)(?:-\d+)?(?P<tipo>(\.[^.]+)?)"
     ),
-    re.compile(r".+?_(?P<quien>[^_]+)_attempt_(?P<fecha>[\d-]{19})(?P<numero>)(?:_(?P<resto>.+?))?(?P<tipo>\.[^.]+)"),
+    re.compile(r"(?P<quien>.+_[^_]+)_attempt_(?P<fecha>[\d-]{19})(?P<numero>)(?:_(?P<resto>.+?))?(?P<tipo>\.[^.]+)"),
 )
 
 
@@ -34,12 +35,14 @@ def de_sueltos(rutas):
     for patron in SUELTOS:
         leidos = {i: m for i, r in enumerate(rutas) if len(r) == 1 and (m := patron.fullmatch(legible(r[0])))}
         if leidos and all(i in leidos or len(r) == 1 and tipo(r[0]) not in CODIGO for i, r in enumerate(rutas)):
-            ultima, de_cada_uno = {}, {}
-            for m in leidos.values():
+            ultima, de_cada_uno, todos = {}, {}, list(leidos.values())
+            tarea = "" if todos[0]["numero"] else os.path.commonprefix([m["quien"] for m in todos]).rpartition("_")[0]
+            for m in todos:
                 ultima[m["quien"]] = max(ultima.get(m["quien"], ""), m["fecha"])
             for i, m in leidos.items():
                 if m["resto"] and m["fecha"] == ultima[m["quien"]]:
-                    de_cada_uno.setdefault(m["quien"] + m["numero"], []).append(((m["resto"] + m["tipo"],), i))
+                    quien = m["quien"].removeprefix(f"{tarea}_") + m["numero"]
+                    de_cada_uno.setdefault(quien, []).append(((m["resto"] + m["tipo"],), i))
             return de_cada_uno
     return {}
 

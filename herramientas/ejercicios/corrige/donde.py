@@ -96,10 +96,6 @@ def vale(que, tuyo, esperado, tipo=""):
     return f"{que} vale {los_dos(tuyo, esperado, tipo)}"
 
 
-def vale_solo(paso):
-    return f"{paso['nombre']} vale {valor(paso['valor'], paso['tipo'])}"
-
-
 def rgb(suceso):
     return valor(suceso["despues"][:3]) if suceso and suceso["despues"] else "otra cosa"
 
@@ -469,8 +465,8 @@ class Comparacion:
             return {"que": "linea", "dice": f"a {shader} {fichero} le llega otra cosa: {que}".replace("a el ", "al ")}
         for paso in reversed([lineas[j] for j in antes]):
             suya, primero = self.suyos.sitio(fuente, paso["linea"])[1], paso is lineas[antes[0]]
-            dicho = f"en la línea {suya}{de if primero else ''}, {vale_solo(paso)}"
-            donde = f"{dicho}; {'y ' if paso is lineas[antes[-1]] else ''}{donde}"
+            como = f"{de if primero else ''}, {paso['nombre']} vale {valor(paso['valor'], paso['tipo'])}"
+            donde = f"en la línea {suya}{como}; {'y ' if paso is lineas[antes[-1]] else ''}{donde}"
         return {"que": "linea", "dice": donde}
 
     @staticmethod

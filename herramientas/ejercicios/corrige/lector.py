@@ -195,10 +195,6 @@ def de_tar(datos, debajo=()):
                 yield from de_dentro(miembro.name, functools.partial(corto, suyos), debajo)
 
 
-def es_paquete(nombre):
-    return tipo(nombre) in ABIERTOS or nombre.lower().endswith(".tar.gz")
-
-
 def sin_comprimir(datos, nombre):
     """Un .zip o un .tar; de uno comprimido, hasta un límite."""
     if tipo(nombre) in (".zip", ".tar"):
@@ -248,7 +244,7 @@ class Lector:
             nombre = ruta[-1]
             if any(map(basura, ruta)) or len(ruta) > HONDO + 1:
                 continue
-            if es_paquete(nombre):
+            if tipo(nombre) in ABIERTOS or nombre.lower().endswith(".tar.gz"):
                 self.zips.append((ruta, lee))
                 continue
             self.hay.append(nombre)
@@ -297,10 +293,11 @@ class Lector:
 
     def lee(self, ruta, lee):
         escrita, nombre = limpia(ruta), ruta[-1]
+        choca = lambda otra: otra.startswith(f"{escrita}/") or escrita.startswith(f"{otra}/")
         try:
             if len(self.leidos) == FICHEROS or self.bytes > TODO:
                 raise Rechazo(f"son más de {FICHEROS} ficheros, o de {TODO >> 20} MiB entre todos")
-            if len(os.fsencode(nombre)) > 255 or any(a.startswith(f"{b}/") for a, b in self.con_las_otras(escrita)):
+            if len(os.fsencode(nombre)) > 255 or any(map(choca, self.leidos)):
                 raise Rechazo(f"«{limpio(escrita)}» no se puede poner en una carpeta")
             datos = lee()
             self.bytes += len(datos)
@@ -313,9 +310,6 @@ class Lector:
             self.mal[escrita] = str(por)
         except ValueError:
             self.mal[escrita] = f"«{limpio(nombre)}» no es un texto en UTF-8: guárdalo así en el editor"
-
-    def con_las_otras(self, ruta):
-        return [par for otra in self.leidos for par in ((ruta, otra), (otra, ruta))]
 
     @property
     def avisos(self):

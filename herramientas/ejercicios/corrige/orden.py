@@ -13,7 +13,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-from base.procesos import Fallo, escribe, principal
+from base.procesos import Fallo, escribe, por_donde, principal
 from ejercicios import nuevo, propios, reglas
 from ejercicios.corrige import aula, casa, clase, conjunto, entrega, informes, lector, shaders
 from ejercicios.corrige.banco import Banco
@@ -72,8 +72,13 @@ def ejercicio(raiz, programas, pedido):
 
 
 def de_una(que, banco, carpeta):
-    """Su corrección, escrita; y dónde va su página, si va."""
+    """Su corrección, escrita; y dónde va su página, si va. Mientras, por dónde va: de una clase se dice quién acaba."""
+    van = {g: f"[{n}/{len(banco.todos)}] juega " for n, g in enumerate(banco.todos, 1)}
+    buscan = lambda quien, g: g not in van or quien.nombre not in ("la solución", "la entrega")
+    dice = lambda quien, g: "busco en qué se aparta" if buscan(quien, g) else van[g] + quien.nombre
+    banco.arbitro.avanza = lambda *que: por_donde(dice(*que))
     correccion = clase.corrige(banco, carpeta, que.json and que.json.absolute())
+    por_donde()
     print(informes.en_vpl(correccion) if que.vpl else informes.en_texto(correccion, en_mios(que, carpeta)))
     return [correccion], [], que.deja or (None if que.json or que.vpl else donde(que, carpeta))
 
