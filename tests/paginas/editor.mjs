@@ -36,7 +36,7 @@ const cambios = {
       estado.textContent.includes(`phong.glsl, línea ${linea}: `), linea);
     assert.deepEqual(await p.imagen(), original);
     await p.da(() => cm.undo());
-    await p.acaba('corregido', () => !una('.linea-mala') && !estado.classList.contains('mal'));
+    await p.acaba('corregido', () => !una('.linea-mala, .mensaje-malo') && !estado.classList.contains('mal'));
     await p.da(() => cm.redo());
     await p.acaba('y estropeado otra vez', malo);
     await p.pagina.reload();

@@ -47,6 +47,7 @@ SIN_SOSPECHAS = {  # lo que se sospecha, con razón, y aquí es así a propósit
 TALLAS = "960x3", "3x960", "1x1"
 COPIADO = "copiado de otro framebuffer"
 PASAN = "escrito", "profundidad", "mascara"  # los que llegan al test de profundidad
+VEREDICTOS = *PASAN, "ajeno", "cara", "descartado", "nada", "plantilla", "recorte"
 OTRA_TEXTURA = "no sé de qué texels sale: solo sigo texture y textureLod de un sampler2D, sampler3D o samplerCube"
 SALE_DE_LA_CARA = "el filtro sale de la cara, y en la de al lado no sé seguirlo"
 ANISOTROPO = "el filtro anisótropo lee más texels, que no sigo"
@@ -74,6 +75,8 @@ CASI = 2e-6  # de profundidad: lo que puede cambiar al dibujar otra vez el triá
 def fallos_de_tests(suceso):
     """Lo que dice de la plantilla y de la profundidad es lo que sale de comparar lo que pide con lo que había."""
     veredicto = suceso["veredicto"]
+    if veredicto not in VEREDICTOS:
+        yield f"no hay ningún veredicto «{veredicto}»"
     if "plantillaPide" in suceso and suceso["plantillaAntes"] is not None and veredicto not in ("cara", "recorte"):
         funcion, referencia = suceso["plantillaPide"].split()
         pasa = COMPARA[funcion](int(referencia), suceso["plantillaAntes"])
