@@ -28,15 +28,27 @@ from mentira import BUILD, RAIZ, siembra
 FUENTES = [f for f in RAIZ.glob("c*/**/*.*") if f.suffix in (".cpp", ".h", ".vert", ".frag", ".glsl")]
 
 
-def test_el_zip_de_windows_tiene_lo_que_leen_los_programas():
-    """Lo que nombran sus fuentes."""
+def test_el_zip_de_windows_tiene_lo_que_leen_los_programas(tmp_path, monkeypatch):
+    """Lo que nombran sus fuentes, lo que enlaza su página, y de cada biblioteca que lleva dentro, su licencia."""
     nombre = r'"((?:assets|common|ch\d\d_\w+)/[\w.]+\.(?:vert|frag|glsl|vf|txt|rgb|r8))"'
     nombrados = {f for fuente in FUENTES for f in re.findall(nombre, fuente.read_text())}
+    metidos, mini = {}, lambda _, caso: f"{caso.programa.nombre}.webp" if not caso.programa.consola else None
+    monkeypatch.setattr(paquete.Paquete, "mete", lambda _, donde, fichero: metidos.update({str(donde): fichero}))
+    monkeypatch.setattr(paquete, "ejecuta", lambda *_, **__: "")
+    monkeypatch.setattr(paquete.Pagina, "miniatura", mini)
     hecho = paquete.Paquete(RAIZ, BUILD, BUILD)
-    with hecho.zip:
-        hecho.mete_datos()
-    hay = {f.removeprefix("laboratorio/") for f in hecho.zip.namelist()}
-    assert len(nombrados) > 90 and not {f for f in nombrados - hay if (RAIZ / f).exists() or (BUILD / f).exists()}
+    hecho.web.destino = tmp_path
+    hecho.escribe(tmp_path / "w.zip")
+    assert len(nombrados) > 90 and not {
+        f for f in nombrados - metidos.keys() if (RAIZ / f).exists() or (BUILD / f).exists()
+    }
+    enlaza = set(re.findall(r'(?:href|src)="([^"#:]+)"', (tmp_path / "index.html").read_text()))
+    assert len(enlaza) > 80 and enlaza - {"LEEME.txt"} <= metidos.keys()
+    licencias = {Path(f).stem for f in metidos if f.startswith("licencias/")}
+    assert licencias == {"laboratorio", "freeglut", "glew", "gcc", "mingw-w64", "glm", "dejavu"}
+    assert all(
+        f.exists() for donde, f in metidos.items() if donde.split("/")[0] not in ("programas", "licencias", "imagenes")
+    )
 
 
 # --- procesos ---------------------------------------------------------------------------------------------------
@@ -329,6 +341,29 @@ def test_de_un_pixel_se_dice_todo_hasta_un_limite():
         filas = palabras.de_pixel(suyo, ordenes)
         assert numeros(filas, r"a.frag:(\d+): t: m$") == list(range(min(n, 6)))
         assert numeros(filas, r"^ +y (\d+) lecturas más") == [n - 6] * (n > 6)
+
+
+def test_de_cada_linea_de_un_shader_se_sabe_de_donde_sale():
+    """De todos, con lo que incluyen: el fichero y la línea que tienen ese texto; y de una sospecha, la misma."""
+    suyas = SourceFileLoader("suyas", str(RAIZ / "herramientas/explica/fuentes.py")).load_module()
+
+    def entero(texto):
+        incluye = re.compile(r'^#include "(.*)"$', re.M)
+        return incluye.sub(lambda m: entero((RAIZ / m[1]).read_text()).removesuffix("\n"), texto)
+
+    hay = [f for f in FUENTES if f.suffix in (".vert", ".frag")]
+    programas = [{"programa": i, f.suffix[1:]: entero(f.read_text())} for i, f in enumerate(hay)]
+    nombres = suyas.reconoce(RAIZ, programas)
+    assert nombres == {i: f.name if f.suffix == ".frag" else "" for i, f in enumerate(hay)}
+    for p, f in zip(programas, hay):
+        etapa = f.suffix[1:]
+        for n, linea in enumerate(p[etapa], 1):
+            de = RAIZ / linea["fichero"]
+            assert de.read_text().splitlines()[linea["linea"] - 1] == linea["texto"], (f, n)
+            sospecha = {"linea": n, "etapa": etapa, "orden": 5}
+            suyas.de_sospechas([sospecha], [{"n": 5, "programa": p["programa"]}], programas)
+            assert sospecha["sitio"] == {"dice": f"{de.name}:{linea['linea']}", "texto": linea["texto"].strip()}
+        assert "".join(f"{linea['texto']}\n" for linea in p[etapa]) == entero(f.read_text())
 
 
 def test_una_cifra():
