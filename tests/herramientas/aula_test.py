@@ -597,8 +597,6 @@ def test_en_que_se_equivoca_cada_uno():
 def test_lo_que_se_dice_a_quien_no_sabe_de_guiones():
     dice = informes.en_html("«tecla d ×7» y «boton x»: `vuelta` < <b>")
     assert dice == "«pulsa d 7 veces» y «boton x»: <code>vuelta</code> &lt; &lt;b&gt;"
-    c = {"dice": ["mal"], "fallos": [], "avisos": ["no viene p.h: se ha puesto el de partida"]}
-    assert informes.lineas(c)[0] == "mal" and len(informes.lineas(c)) == 2
     de_partida = {"p.cpp": "1", "p.h": "2"}
     hay = [de_clase.sobra(f"no viene {f}: se ha puesto", de_partida, {"p.cpp": "1", "p.h": "3"}) for f in de_partida]
     assert hay == [True, False]  # en p.cpp no hay nada que hacer
