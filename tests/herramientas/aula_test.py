@@ -444,6 +444,21 @@ def test_la_hoja_de_moodle_se_queda_como_estaba(tmp_path, cual):
     assert ("por lo que tienen" in suya.cuenta) == (cual == "en sueco")
 
 
+def test_una_fila_cortada_no_estropea_la_hoja(tmp_path):
+    """Por donde sea: a esa se le pone lo que le cabe, y a las demás, lo suyo."""
+    for cuantas in range(len(COLUMNAS) + 1):
+        filas = list(csv.reader(io.StringIO(una_hoja(COLUMNAS), newline="")))
+        filas[2] = filas[2][:cuantas]
+        with open(tmp_path / "h.csv", "w", newline="") as f:
+            csv.writer(f).writerows(filas)
+        suya = hoja.Hoja(tmp_path / "h.csv")
+        for n in (1001, 1002, 1003):
+            suya.pon(f"X_{n}{MOODLE}", HECHA)
+        debe = [{4, 9}, {c for c in (4, 9) if c < cuantas}, {4, 9}] if cuantas else [{4, 9}, {4, 9}]
+        pares = zip(filter(None, filas[1:]), celdas(suya.escribe().read_bytes())[1:], strict=True)
+        assert [{i for i, (a, b) in enumerate(zip(*par, strict=True)) if a != b} for par in pares] == debe
+
+
 @pytest.mark.parametrize("antes", ["sep=;\r\n", "\ufeff\ufeffsep=;\r\n", "\ufeffsep=;\n\ufeff", "\ufeff\ufeff"])
 def test_lo_que_la_hoja_dice_a_excel_no_va_a_moodle(tmp_path, antes):
     fichero, suya = tmp_path / "h.csv", una_hoja(COLUMNAS, separador=";")
@@ -579,8 +594,6 @@ def test_en_que_se_equivoca_cada_uno():
 def test_lo_que_se_dice_a_quien_no_sabe_de_guiones():
     dice = informes.en_html("«tecla d ×7» y «boton x»: `vuelta` < <b>")
     assert dice == "«pulsa d 7 veces» y «boton x»: <code>vuelta</code> &lt; &lt;b&gt;"
-    c = {"dice": ["mal"], "fallos": [], "avisos": ["no viene p.h: se ha puesto el de partida"]}
-    assert informes.lineas(c)[0] == "mal" and len(informes.lineas(c)) == 2
     de_partida = {"p.cpp": "1", "p.h": "2"}
     hay = [de_clase.sobra(f"no viene {f}: se ha puesto", de_partida, {"p.cpp": "1", "p.h": "3"}) for f in de_partida]
     assert hay == [True, False]  # en p.cpp no hay nada que hacer

@@ -29,15 +29,23 @@ from mentira import BUILD, RAIZ, siembra
 FUENTES = [f for f in RAIZ.glob("c*/**/*.*") if f.suffix in (".cpp", ".h", ".vert", ".frag", ".glsl")]
 
 
-def test_el_zip_de_windows_tiene_lo_que_leen_los_programas():
-    """Lo que nombran sus fuentes."""
+def test_el_zip_de_windows_tiene_lo_que_leen_los_programas(tmp_path, monkeypatch):
+    """Lo que nombran sus fuentes, lo que enlaza su página, y de cada biblioteca que lleva dentro, su licencia."""
     nombre = r'"((?:assets|common|ch\d\d_\w+)/[\w.]+\.(?:vert|frag|glsl|vf|txt|rgb|r8))"'
     nombrados = {f for fuente in FUENTES for f in re.findall(nombre, fuente.read_text())}
+    metidos, mini = {}, lambda _, caso: f"{caso.programa.nombre}.webp" if not caso.programa.consola else None
+    monkeypatch.setattr(paquete.Paquete, "mete", lambda _, donde, fichero: metidos.update({str(donde): fichero}))
+    monkeypatch.setattr(paquete, "ejecuta", lambda *_, **__: "")
+    monkeypatch.setattr(paquete.Pagina, "miniatura", mini)
     hecho = paquete.Paquete(RAIZ, BUILD, BUILD)
-    with hecho.zip:
-        hecho.mete_datos()
-    hay = {f.removeprefix("laboratorio/") for f in hecho.zip.namelist()}
-    assert len(nombrados) > 90 and not {f for f in nombrados - hay if (RAIZ / f).exists() or (BUILD / f).exists()}
+    hecho.web.destino = tmp_path
+    hecho.escribe(tmp_path / "w.zip")
+    de_aqui = {f for f in nombrados if (RAIZ / f).exists() or (BUILD / f).exists()}
+    assert len(de_aqui) > 90 and de_aqui <= metidos.keys()
+    enlaza = set(re.findall(r'(?:href|src)="([^"#:]+)"', (tmp_path / "index.html").read_text()))
+    assert len(enlaza) > 80 and enlaza - {"LEEME.txt"} <= metidos.keys()
+    licencias = {Path(f).stem for f in metidos if f.startswith("licencias/")}
+    assert licencias == {"laboratorio", "freeglut", "glew", "gcc", "mingw-w64", "glm", "dejavu"}
 
 
 # --- procesos ---------------------------------------------------------------------------------------------------
@@ -205,8 +213,17 @@ def test_cada_enlace_de_la_galeria_lleva_a_algo(tmp_path, en_marcha):
     capitulos = catalogo.lee(BUILD)
     programas = [p for capitulo in capitulos for p in capitulo.programas]
     siembra(tmp_path, {"galeria/x": "", "web/index.html" if en_marcha else "x": ""})
-    PaginaGaleria(RAIZ, tmp_path / "galeria", capitulos).escribe()
+    pagina, casos = PaginaGaleria(RAIZ, tmp_path / "galeria", capitulos), [c for p in programas for c in p.casos]
+    for caso in casos[::2]:  # se enseña lo dibujado, y de lo demás se dice que no lo está
+        caso.hecho, caso.fallo = True, "" if caso in casos[::4] else f"mal {caso.fichero}"
+    pagina.escribe(3, en_marcha)
     escrita = (tmp_path / "galeria/index.html").read_text()
+    se_ven = [c for c in (*casos[::4], *(c.caso_de_portada for c in capitulos)) if c.hecho and not c.fallo]
+    debe = sorted(c.miniatura for c in se_ven if not c.programa.consola)
+    assert sorted(re.findall(r'\bsrc="([^"]+webp)"', escrita)) == debe
+    assert re.findall("No se ha podido dibujar: (mal .*)<", escrita) == [c.fallo for c in casos[2::4]]
+    assert escrita.count("Aún no está dibujada") == len(casos[1::2])
+    assert ("faltan 3 programas" in escrita, "http-equiv" in escrita) == (True, en_marcha)
     hay = {f"#{suyo}" for suyo in re.findall(r'\bid="([^"]+)"', escrita)}
     lleva = [p.nombre for p in programas] + [f"ejercicio/{ref}" for ref in shaders.ejercicios(RAIZ, programas)]
     hay |= {f"../web/index.html{a}" for a in ("", *(f"#{a}" for a in lleva)) if en_marcha}
@@ -293,12 +310,57 @@ def test_con_muestras_se_suaviza_lo_que_separa_dos_colores_y_nada_mas(tmp_path):
     assert len({*suave}) > len({*una}) + 3  # de cada cuatro muestras, una, dos o tres
 
 
-def test_lo_que_falta_va_de_mas_cerca_a_mas_lejos():
+def test_de_un_pixel_se_dice_todo_hasta_un_limite():
+    """De cada lista, ninguna, una, las que caben y más: las primeras, en su orden, y de qué es lo demás."""
     palabras = SourceFileLoader("palabras", str(RAIZ / "herramientas/explica/palabras.py")).load_module()
-    sucesos = [{"orden": n, "soloEsa": "x", "profundidad": z} for n, z in enumerate((0.7, 0.2, 0.9, 0.5))]
-    ordenes = {n: {"titulo": "12 triángulos", "pruebas": []} for n in range(4)}
-    sucesos = [{**s, "veredicto": "profundidad", "dice": "detrás"} for s in sucesos]
-    assert [fila.split()[0] for fila in palabras.lo_que_falta(sucesos, ordenes)[1:]] == ["1", "3", "0"]
+    ordenes = {n: {"n": n, "titulo": f"T{n}", "pruebas": ["mezcla"], "nada": f"N{n}"} for n in range(9)}
+
+    def numeros(filas, de):
+        return [int(n) for fila in filas for n in re.findall(de, fila)]
+
+    for n in range(33):
+        sucesos = [{"orden": i % 9, "soloEsa": "x", "profundidad": -i, "veredicto": "z", "dice": i} for i in range(n)]
+        assert numeros(palabras.lo_que_falta(sucesos, ordenes), r": (\d+)$") == list(range(n))[:-4:-1]
+        assert (
+            numeros(palabras.lo_que_falta([], dict([*ordenes.items()][:n])), r": N(\d)$") == list(range(9))[: min(n, 3)]
+        )
+        linea = {"fichero": "a.frag", "clase": "asigna", "funcion": "main"}
+        lineas = [{**linea, "linea": i, "nombre": "v", "valor": [i, "nan" if i > 4 else 0]} for i in range(n)]
+        *dichas, raro = palabras.de_sombreado(
+            [*lineas, {**linea, "funcion": "luz", "linea": 99, "nombre": "z", "valor": ["inf"]}]
+        )
+        assert numeros(dichas, r"^ {6}a.frag:(\d+): v = ") == list(range(min(n, 30)))
+        assert re.fullmatch(
+            rf" +lo primero que no es un número: a.frag:{'5: v = .5, NaN.' if n > 5 else '99: z = ∞'}", raro
+        )
+        leidas = [{"fichero": "a.frag", "linea": i, "escrito": "t", "motivo": "m"} for i in range(n)]
+        suyo = {"historia": [], "lineas": [], "sombreado": {"lecturas": leidas}}
+        filas = palabras.de_pixel(suyo, ordenes)
+        assert numeros(filas, r"a.frag:(\d+): t: m$") == list(range(min(n, 6)))
+        assert numeros(filas, r"^ +y (\d+) lecturas más") == [n - 6] * (n > 6)
+
+
+def test_de_cada_linea_de_un_shader_se_sabe_de_donde_sale():
+    """De todos, con lo que incluyen: el fichero y la línea que tienen ese texto; y de una sospecha, la misma."""
+    suyas = SourceFileLoader("suyas", str(RAIZ / "herramientas/explica/fuentes.py")).load_module()
+
+    def entero(texto):
+        incluye = re.compile(r'^#include "(.*)"$', re.M)
+        return incluye.sub(lambda m: entero((RAIZ / m[1]).read_text()).removesuffix("\n"), texto)
+
+    hay = [f for f in FUENTES if f.suffix in (".vert", ".frag")]
+    programas = [{"programa": i, f.suffix[1:]: entero(f.read_text())} for i, f in enumerate(hay)]
+    nombres = suyas.reconoce(RAIZ, programas)
+    assert nombres == {i: f.name if f.suffix == ".frag" else "" for i, f in enumerate(hay)}
+    for p, f in zip(programas, hay):
+        etapa = f.suffix[1:]
+        for n, linea in enumerate(p[etapa], 1):
+            de = RAIZ / linea["fichero"]
+            assert de.read_text().splitlines()[linea["linea"] - 1] == linea["texto"], (f, n)
+            sospecha = {"linea": n, "etapa": etapa, "orden": 5}
+            suyas.de_sospechas([sospecha], [{"n": 5, "programa": p["programa"]}], programas)
+            assert sospecha["sitio"] == {"dice": f"{de.name}:{linea['linea']}", "texto": linea["texto"].strip()}
+        assert "".join(f"{linea['texto']}\n" for linea in p[etapa]) == entero(f.read_text())
 
 
 def test_una_cifra():

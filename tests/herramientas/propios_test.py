@@ -18,7 +18,7 @@ from base.marcas import TROZO
 from base.procesos import Fallo
 from ejercicios import comprueba, en_pagina, nuevo, perturba, propios, reglas
 from ejercicios.corrige import clase as de_clase
-from ejercicios.corrige import informes, shaders, veredicto
+from ejercicios.corrige import motivos, shaders, veredicto
 from ejercicios.corrige.arbitro import Arbitro
 from ejercicios.corrige.banco import Banco
 from ejercicios.corrige.partidas import Guion, Partida
@@ -141,6 +141,26 @@ def test_en_la_pagina_va_lo_que_se_reparte_y_no_la_solucion(tmp_path, monkeypatc
         resumen["oculto"] and resumen["que"] == "Un molinete" and [*resumen["pide"]] == ["mios/molinete/molinete.cpp"]
     )
     assert [g["pesa"] for g in datos["guiones"]] == [3, 3, 3, 1, 1] and datos["palabras"]["tecla g"] == "pulsa g"
+
+
+@con_catalogo
+def test_los_errores_que_planta_la_pagina():
+    """De cada ejercicio, lo que cambia cada uno en su shader es lo que cambia en la solución, y ni una letra más."""
+    cambian = 0
+    for ref, programa in en_pagina.los_que_hay(RAIZ, catalogo.lee_programas(BUILD)).items():
+        suyos, dados = motivos.Motivos(RAIZ, programa, ref, None, None), en_pagina.errores(RAIZ, programa, ref)
+        limpios = {Path(f).name: texto for f, texto in suyos.limpio(suyos.textos()).items()}
+        assert {Path(f).name for f in dados["textos"]} == limpios.keys()
+        for m, dado in zip(suyos.defectos, dados["defectos"], strict=True):
+            assert dado["dice"] == motivos.que_dice(m) and dado.get("numero", m.numero) == m.numero, m
+            if m.en_shader:
+                (desde, hasta, pone), fichero = dado["cambia"], Path(dado["en"]).name
+                uno, cambian = limpios[fichero], cambian + 1
+                otro = {Path(f).name: t for f, t in suyos.limpio(suyos.estropeados(m)).items()}[fichero]
+                assert uno[:desde] + pone + uno[hasta:] == otro and dado["en"] in dados["textos"], m
+                sobra = [uno[desde:hasta][i : i + 1 or None] == pone[i : i + 1 or None] for i in (0, -1)]
+                assert not any(sobra), m
+    assert cambian > 50
 
 
 CPP, ERRORES = FICHEROS["molinete.cpp"], FICHEROS["errores.tsv"]
@@ -501,16 +521,6 @@ def test_cada_regla_cambia_lo_suyo(tmp_path):
         assert (otra.en_palabras != Reglas().en_palabras and str(valor) in otra.en_palabras) == es_de_la_nota
     assert nota(Reglas(titulo=0), "bien", "bien", {"título": "mal"}) == 100
     assert reglas.del_programa(SimpleNamespace(raices=[]), guiones=3) == Reglas(guiones=3)
-
-
-def test_las_reglas_van_en_cada_informe(tmp_path):
-    c = {"entrega": "ana", "ejercicio": "molinete", "semilla": "7", "nota": 87.5, "bien": 20, "guiones": 29}
-    c |= {"dice": ["mal"], "fallos": [], "casos": {}, "reglas": Reglas(titulo=17).en_palabras}
-    programa = propios.propio(escribe(tmp_path / "molinete"))
-    pagina = informes.pagina(c, programa, "molinete", "suya")
-    assert "./lab ver molinete" not in pagina  # la solución no la tiene
-    for informe in (informes.en_texto(c), informes.en_vpl(c), informes.en_csv([c]), pagina):
-        assert c["reglas"] in informe
 
 
 MALAS = {

@@ -66,6 +66,7 @@ def lab(tmp_path_factory):
 
 
 def test_lista_y_documentos(lab):
+    lab("ayuda", dice="./lab galeria")
     lab("lista", dice="Grúa de obra")
     antes = {f: f.read_bytes() for f in (lab.sitio / "docs").iterdir() if f.is_file()}
     lab("lista --docs")
@@ -136,8 +137,3 @@ def test_donde_no_se_puede_abrir_una_ventana_dibuja(lab):
 
 def test_mide(lab):
     lab("mide --ensayo", dice="variantes")
-
-
-def test_ayuda_y_paquetes(lab):
-    lab("ayuda", dice="./lab galeria")
-    lab("paquetes", dice="libglew-dev\n")
