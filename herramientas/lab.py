@@ -306,7 +306,7 @@ class Laboratorio:
         del catálogo."""
         self.prepara()
         if que.docs:
-            return self.hace("documentos.escribe", self.raiz, self.build, "escribe")
+            return self.hace("documentos.escribe", self.raiz, self.build)
         formato = "{}\t{}\t{}\t{}" if que.tsv else "{:<22} {:<22} {:<14} {}"
         for p in catalogo.lee_programas(self.build):
             print(formato.format(p.capitulo.nombre, p.nombre, p.ref, p.titulo))
@@ -339,7 +339,7 @@ class Laboratorio:
         self.t.compila(en, "all")
         if que.apunta:
             estado = self.hace("pruebas.evidencia", self.raiz, en)
-            return estado or self.hace("documentos.escribe", self.raiz, en, "escribe")
+            return estado or self.hace("documentos.escribe", self.raiz, en)
         que_son = "todas las pruebas" if que.todo else "las pruebas de cualquiera; ./lab prueba --todo hace todas"
         if not {"-R", "-L", "-N"} & {opcion for opcion, *_ in que.ctest}:
             dura = f"unos {MINUTOS[que.todo]} minutos con dos procesadores"

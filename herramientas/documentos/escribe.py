@@ -1,8 +1,4 @@
-"""escribe.py RAÍZ BUILD escribe|comprueba: las páginas de docs/ que salen del catálogo y de docs/evidencia.json.
-
-comprueba: acaba con 1 si alguna no está al día, y dice qué cambia.
-"""
-import difflib
+"""escribe.py RAÍZ BUILD: las páginas de docs/ que salen del catálogo y de docs/evidencia.json."""
 import sys
 from pathlib import Path
 
@@ -36,24 +32,11 @@ def exactitud_md(raiz, _, programas):
 
 
 def main():
-    raiz, build, orden = Path(sys.argv[1]), Path(sys.argv[2]), sys.argv[3]
+    raiz, build = map(Path, sys.argv[1:])
     capitulos = catalogo.lee(build)
     programas = [p for capitulo in capitulos for p in capitulo.programas]
-    viejo = False
     for nombre, dice in ("programas.md", programas_md), ("exactitud.md", exactitud_md):
-        fichero = raiz / "docs" / nombre
-        texto = plantilla(AQUI / nombre).render(**dice(raiz, capitulos, programas))
-        if orden == "escribe":
-            escribe(fichero, texto)
-        elif (hay := fichero.read_text()) != texto:
-            dos = hay.splitlines(), texto.splitlines(), f"docs/{nombre}", "al día"
-            print(
-                *difflib.unified_diff(*dos, lineterm="", n=0),
-                f"docs/{nombre} no está al día: ./lab lista --docs",
-                sep="\n",
-            )
-            viejo = True
-    return viejo
+        escribe(raiz / "docs" / nombre, plantilla(AQUI / nombre).render(**dice(raiz, capitulos, programas)))
 
 
 if __name__ == "__main__":

@@ -75,11 +75,8 @@ def comprueba(raiz, mutantes):
     cualquiera."""
     for fichero, grupo in por_fichero(mutantes).items():
         try:
-            fuente, primero = (raiz / fichero).read_text(), {}
+            fuente = (raiz / fichero).read_text()
             for m in grupo:
-                otro = primero.setdefault((m.sitio(fuente), m.estropeado), m)
-                if otro != m:
-                    yield f"{m.nombre}: es el mismo que {otro.nombre}"
                 if m.en_shader:
                     yield from (f"{m.nombre}: {d}" for d in no_compila_glsl(raiz, fichero, estropea(fuente, m)))
             if not grupo[0].en_shader:
