@@ -212,10 +212,12 @@ JUGADOS = (  # los ficheros que cambian, y de cada pregunta que lo nota, y solo 
     (
         {
             "molinete_cpp": CON_SOBRA,
+            "casos_txt": f"{FICHEROS['casos.txt']}Otra vez: tecla g ×3\n",
             "errores_tsv": f"{ERRORES}{REPETIDO}\nmolinete.cpp\tsobra = «3»\t4\tnada\t\tno se ve\n",
         },
         {
             "controles": ["«tecla z» no cambia la imagen en ningún guion"],
+            "imágenes": ["se ve lo mismo en los casos Girado y Otra vez"],
             "errores conocidos": ["errores:6, nada: no quita puntos", "errores:2 y errores:5 no se distinguen: gira"],
             "líneas": [f"{linea('const float sobra', CON_SOBRA)}se cambie como se cambie, da lo mismo"],
         },
