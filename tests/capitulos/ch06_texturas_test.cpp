@@ -160,16 +160,6 @@ TEST(Filtrado, CadaFiltroSeAcercaMasAlSobremuestreo) {
     EXPECT_LT(error[3], 0.6 * error[2]);
 }
 
-// Cada nivel es de su color hasta el último, que se ve a lo lejos, también si la imagen no es cuadrada.
-TEST(Filtrado, DeLejosNoSeVeLaFoto) {
-    const auto lejos = [](unsigned char gris) {
-        const Imagen foto{256, 16, std::vector<unsigned char>(256 * 16 * 3, gris)};
-        const Imagen vista = vistaDe("filtrado", "tecla 3; tecla n", 240, 180, enFicheros({foto})).escena;
-        return oraculo::recorta(vista, 0, 110, 240, 70).rgb;
-    };
-    EXPECT_EQ(lejos(0), lejos(255));
-}
-
 // Vecino y lineal no miran el tamaño del píxel: en su centro, el texel más cercano o el bilineal del nivel 0. En los
 // vértices s y t valen ±50 y el último bit de un float vale allí 1/8192 de texel; con ocho de esos, a menos de 1/1024
 // de texel de una frontera puede salir el vecino, y el bilineal se desvía 1/1024 del salto entre vecinos.

@@ -217,19 +217,6 @@ TEST(Triangulos, LoJustoParaLaTolerancia) {
         }
 }
 
-// Sin grietas: los vértices del borde que comparten dos trozos son los mismos, bit a bit.
-TEST(Triangulos, LosTrozosVecinosCasan) {
-    const auto P = puntosAlAzar<float>(25);
-    const auto bordes = [](Base base, const Geometria2<float> &A, const Geometria2<float> &B, bool enU) {
-        const Malla a = mallaSuperficie(base, A, {7, 7}), b = mallaSuperficie(base, B, {7, 7});
-        for (std::size_t k = 0; k <= 7; ++k)
-            EXPECT_EQ(a.vertices[enU ? 8 * k + 7 : 56 + k].posicion, b.vertices[enU ? 8 * k : k].posicion);
-    };
-    bordes(Base::BSPLINE, geometriaDeRed(P, 5), geometriaDeRed(P, 5, 1, 0), true);
-    bordes(Base::BSPLINE, geometriaDeRed(P, 5), geometriaDeRed(P, 5, 0, 1), false);
-    bordes(Base::HERMITE, primerTrozo(ELEMENTOS_INICIALES), segundoTrozo(ELEMENTOS_INICIALES, 0.7f), true);
-}
-
 // ---- Los programas: la superficie, píxel a píxel ----
 
 const glm::ivec2 NORMAL{480, 360};

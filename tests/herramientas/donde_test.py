@@ -64,14 +64,6 @@ def test_de_lo_mismo_no_se_dice_nada(datos):
     assert any(compara(leido, sin)) and any(compara(sin, leido))
 
 
-def test_de_lo_que_se_halla_se_dice_desde_donde_se_llama():
-    """Con la primera pila, con la última y con ninguna; lo de una línea de un shader ya dice cuál."""
-    suya = donde.Comparacion.__new__(donde.Comparacion)
-    suya.cuadros = ({"pilas": ["a", "b"]},)
-    hay = [suya.con_pila({"que": que, "pila": n}) for que in ("array", "linea") for n in (-1, 0, 1, 2)]
-    assert [h.get("pila") for h in hay] == [None, "a", "b", None, *[None] * 4] and suya.con_pila(None) is None
-
-
 def test_un_cuadro_estropeado_no_vale_o_se_compara(datos):
     """De cada cosa, cambiada por algo hostil: o no se lee, o lo que se dice se puede escribir y no es lo mismo."""
     leido = cuadro.lee(datos)

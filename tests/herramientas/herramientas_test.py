@@ -340,29 +340,6 @@ def test_de_un_pixel_se_dice_todo_hasta_un_limite():
         assert numeros(filas, r"^ +y (\d+) lecturas más") == [n - 6] * (n > 6)
 
 
-def test_de_cada_linea_de_un_shader_se_sabe_de_donde_sale():
-    """De todos, con lo que incluyen: el fichero y la línea que tienen ese texto; y de una sospecha, la misma."""
-    suyas = SourceFileLoader("suyas", str(RAIZ / "herramientas/explica/fuentes.py")).load_module()
-
-    def entero(texto):
-        incluye = re.compile(r'^#include "(.*)"$', re.M)
-        return incluye.sub(lambda m: entero((RAIZ / m[1]).read_text()).removesuffix("\n"), texto)
-
-    hay = [f for f in FUENTES if f.suffix in (".vert", ".frag")]
-    programas = [{"programa": i, f.suffix[1:]: entero(f.read_text())} for i, f in enumerate(hay)]
-    nombres = suyas.reconoce(RAIZ, programas)
-    assert nombres == {i: f.name if f.suffix == ".frag" else "" for i, f in enumerate(hay)}
-    for p, f in zip(programas, hay):
-        etapa = f.suffix[1:]
-        for n, linea in enumerate(p[etapa], 1):
-            de = RAIZ / linea["fichero"]
-            assert de.read_text().splitlines()[linea["linea"] - 1] == linea["texto"], (f, n)
-            sospecha = {"linea": n, "etapa": etapa, "orden": 5}
-            suyas.de_sospechas([sospecha], [{"n": 5, "programa": p["programa"]}], programas)
-            assert sospecha["sitio"] == {"dice": f"{de.name}:{linea['linea']}", "texto": linea["texto"].strip()}
-        assert "".join(f"{linea['texto']}\n" for linea in p[etapa]) == entero(f.read_text())
-
-
 def test_una_cifra():
     for x, texto in (cifra.split(" ", 1) for cifra in CIFRAS.split(", ")):
         assert paginas.cifra(float(x)) == texto

@@ -135,5 +135,7 @@ def test_donde_no_se_puede_abrir_una_ventana_dibuja(lab):
     assert lab.deja("grua.png", b"\x89PNG")
 
 
-def test_mide(lab):
+def test_mide(lab, tmp_path):
     lab("mide --ensayo", dice="variantes")
+    os.symlink("/bin/false", tmp_path / "gnuplot")
+    lab("mide rotacion", 1, "no se ha podido medir todo: rotacion", PATH=f"{tmp_path}:{os.environ['PATH']}")

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # textos.sh RAIZ BUILD BIBLIOTECA: lo que se puede comprobar sin ejecutar nada: todo lo del libro está en
-# docs/programas.md, cada shader empieza por #version 140 y pasa glslangValidator, también como GLSL
-# ES 3.00 (el de ./lab web), glut_sin_ventana.h enumera lo que hay, que no choca con lo que defina un programa, que los
-# de osmesa no cargan libGL, y las cabeceras que dicen que son sin OpenGL no lo incluyen.
+# docs/programas.md, cada shader empieza por #version 140 y pasa glslangValidator, también como GLSL ES 3.00 (el de
+# ./lab web), glut_sin_ventana.h enumera lo que hay, que no choca con lo que defina un programa, que los de osmesa no
+# cargan libGL, y las cabeceras que dicen que son sin OpenGL no lo incluyen.
 set -euo pipefail
 cd "$1"
 fallos=0

@@ -154,7 +154,7 @@ const ejercicios = {
       !/lo mío/.test(cm.getValue()));
     await p.pulsa('.tarea button', 'Volver a lo mío');
     await p.acaba('y lo de uno sigue', () => !cm.getOption('readOnly') && /lo mío/.test(cm.getValue()));
-    await p.pulsa('.tarea button');
+    await p.pulsa('.tarea button', 'Ver la solución');
     for (const otro of ['L9.1', 'L9.2']) {
       await p.va('#ejercicio/' + otro);
       await p.acaba(`viéndola se pasa a ${otro}`, otro => visto.ejercicio?.codigo === otro && editor.ruta &&

@@ -349,7 +349,7 @@ test('ratón, dedos y rueda', () => {
   tabla(ordenesDeGestos,
     [false, 'baja 1.4 2.6 DERECHO; mueve 5 5; mueve 6 7; cuadro; mueve 8 8; sube 9 9; mueve 1 1; cuadro',
       'boton DERECHO abajo 1 3; arrastra 6 7; arrastra 8 8; boton DERECHO arriba 9 9'],
-    [true, 'gira 3 4 30 0; gira 3 4 -10 0; gira 3 4 29 0; gira 3 4 1 0; gira 3 4 -2 1; gira 3 4 1 2; mueve 1 2; cuadro',
+    [true, 'gira 3 4 30 0; gira 3 4 -9 0; gira 3 4 8 0; gira 3 4 91 0; gira 3 4 -2 1; gira 3 4 1 2; mueve 1 2; cuadro',
       'rueda -1 3 4; rueda +1 3 4; rueda -1 3 4; mueve 1 2'],
     [false, 'baja 0 0 IZQUIERDO; dedo 2; baja 100 0 IZQUIERDO; mueve 111 0; mueve 113 0; mueve 90 0; sube 90 0; ' +
       'dedo 1; mueve 50 50; cuadro',
