@@ -26,6 +26,15 @@ Esperado mezcla(double t) {
 
 // --- malla_imagen.h ---
 
+TEST(MallaImagen, ElPuntoMasCercano) {
+    MallaImagen m = creaMallaImagen(repartidos(5), repartidos(4));
+    EXPECT_EQ(nudoMasCercano(m, {0.02f, 0.9f}, {80, 60}), 15u);
+    // la distancia es en píxeles: en una imagen muy ancha, lo que separa es x
+    m = {2, 2, {{0, 0}, {0.3f, 0.5f}, {0, 1}, {1, 1}}};
+    EXPECT_EQ(nudoMasCercano(m, {0, 0.4f}, {1, 1}), 1u);
+    EXPECT_EQ(nudoMasCercano(m, {0, 0.4f}, {1000, 10}), 0u);
+}
+
 // --- warping ---
 
 // No se arrastra con otro botón, ni una esquina fuera de la imagen.
@@ -76,6 +85,28 @@ TEST(Morphing, SinDeformarEsUnaMezcla) {
                       {{"tecla 1; tecla +"}, {mezcla(0.05)}},
                       {{"tecla 2; tecla - ×3; tecla v; " + arrastra({40, 30}, {50, 20})},
                        {igualQue(A), mezcla(0.35), igualQue(B), mezcla(0.35)}}});
+}
+
+TEST(Morphing, ElMovimientoSigueAlReloj) {
+    for (const auto &[guion, t] :
+         {std::pair("1500", 0.5), {"3000", 1.0}, {"6000", 0.0}, {"4500; tecla -", 0.45}})
+        EXPECT_LE(diferenciaMaxima(
+                      procesa("morphing", {A, B}, std::string("tecla 1; tecla Espacio; espera ") + guion),
+                      mezcla(t)),
+                  4)
+            << guion;
+}
+
+// Se arrastra el punto (3, 3) de 7 × 8 a (120, 84): el intermedio queda bajo el ratón. Con t < 0.5 cambia la malla de
+// A, y en el ratón sigue el texel de B; si no, al revés.
+TEST(Morphing, ElPuntoIntermedioQuedaBajoElRaton) {
+    const Imagen negra = lisa(211, 141, {0, 0, 0}), marca = conMarca(negra, 105, 60);
+    const std::string arrastrado = arrastra({105, 80}, {120, 84});
+    for (const Imagen &r : {procesa("morphing", {negra, marca}, "tecla 2; tecla -; " + arrastrado),
+                            procesa("morphing", {marca, negra}, "tecla 2; tecla +; " + arrastrado)}) {
+        EXPECT_NEAR(pixel(r, 120, 56).r, 0.45 * 255, 1);
+        EXPECT_EQ(pixel(r, 105, 60).r, 0);
+    }
 }
 
 // --- antialiasing ---

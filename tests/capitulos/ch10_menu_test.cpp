@@ -63,3 +63,11 @@ TEST(Eventos, CadaTeclaConSuNombre) {
               lineas + "especial F12 5 6\nguardado eventos-1.png\n");
 }
 
+// El rastro son los últimos 400 puntos: con uno más, el primero, que está lejos, ya no se ve.
+TEST(Eventos, ElRastroNoCreceSinFin) {
+    std::string guion = "mueve 10 10";
+    for (int i = 1; i < 400; ++i)
+        guion += i % 2 ? "; mueve 100 100" : "; mueve 101 100";
+    EXPECT_NEAR(vistaDe("eventos", guion).encima.largo(GRIS), std::hypot(90, 90) + 398, 0.1);
+    EXPECT_NEAR(vistaDe("eventos", guion + "; mueve 101 100").encima.largo(GRIS), 399, 0.1);
+}
