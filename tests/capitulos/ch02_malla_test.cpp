@@ -148,4 +148,3 @@ TEST(Topologia, AristaDeCuatroCaras) {
     EXPECT_EQ(t.contrarias, (std::vector<std::size_t>{2, 9}));
     EXPECT_EQ(t.sentidos, (std::vector<Sentido>{Sentido::ANTIHORARIO, Sentido::HORARIO}));
 }
-
