@@ -28,8 +28,6 @@ export const CLANG = [
   [/should not return a value/, 'es void: no devuelve nada'],
   [/does not return a value/, 'falta un return'],
   [/did you mean to use '(.+?)'/, 'es con «$1»'],
-  [/requires an initializer/, 'falta su valor'],
-  [/duplicate case/, 'ese case ya está'],
   [/missing terminating/, 'falta cerrar las comillas'],
   [/unused \w+ '(.+?)'/, '«$1» no se usa'],
   [/assignment as a condition|comparison result unused/, '¿era la otra, = o ==?'],

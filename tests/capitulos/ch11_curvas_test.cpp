@@ -117,6 +117,22 @@ TEST(Erratas, ArgumentoDeLaEcuacion1127) {
 
 // ---- Los cuatro tipos de unión de continuidad ----
 
+TEST(Continuidades, DerivadasALosDosLadosDeLaUnion) {
+    for (const Continuidad c : {C0, G1, C1, C2}) {
+        SCOPED_TRACE(c);
+        const auto salto = [&](int d, bool unitarias = false) {
+            const auto antes = curvaRef(Base::HERMITE, PRIMER_TRAMO, Cuadruple(1), d),
+                       despues = curvaRef(Base::HERMITE, segundoTramo(c), Cuadruple(0), d);
+            const auto k = [=](const auto &v) { return unitarias ? Cuadruple(1) / largo(v) : Cuadruple(1); };
+            return lejos(k(antes) * antes, k(despues) * despues);
+        };
+        EXPECT_EQ(salto(0), 0);
+        EXPECT_EQ(salto(1, true) > 1e-6, c == C0);
+        EXPECT_EQ(salto(1) > 1e-6, c <= G1);
+        EXPECT_EQ(salto(2) > 1e-5, c <= C1);
+    }
+}
+
 // ---- El solenoide ----
 
 /// Lo que dista de la hélice, en su plano normal, un punto que está casi en el del ángulo a.

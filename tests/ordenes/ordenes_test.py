@@ -79,17 +79,6 @@ def test_cada_orden_tiene_su_ayuda(capfd, monkeypatch):
     assert fin.value.code == 0 and re.search(r"laboratorio del 20\d\d-\d\d-\d\d \([0-9a-f]+\)", capfd.readouterr().out)
 
 
-def test_el_tabulador_completa(tmp_path):
-    """En Bash: cada orden y, detrás de ella, cada programa; y de lo empezado, lo que sigue."""
-    programas = sorted(f.stem for f in RAIZ.glob("ch*/*.cpp"))
-    guion = f"""set -e; source <('{RAIZ}/lab' completa); complete -p ./lab lab
-    pulsa() {{ COMP_WORDS=("$@") COMP_CWORD=$(($# - 1)) COMPREPLY=(); _lab; echo "${{COMPREPLY[@]}}"; }}
-    pulsa lab ''; pulsa lab exp; pulsa lab ver ''; pulsa lab ver grua_il"""
-    hecho = subprocess.run(["bash", "-c", guion], text=True, capture_output=True, cwd=tmp_path)
-    debe = *[f"complete -o filenames -F _lab {q}" for q in ("./lab", "lab")], " ".join(lab.ORDENES), "explica"
-    assert hecho.stdout.splitlines() == [*debe, " ".join(programas), "grua_iluminada"], hecho.stderr
-
-
 PARA_CTEST = {
     "": ["-LE", "^todo$"],
     "--todo": ["-LE", "^muestra$"],

@@ -10,6 +10,7 @@ const ANIMADOS = CASOS.filter(c => c.anima).map(c => c.fichero);
 const REFERENCIAS = new Set(PROGRAMAS.flatMap(p => p.ref.split(' ').filter(Boolean)));
 const DIRECCIONES = [...CAPITULOS, ...PROGRAMAS].map(e => e.nombre)
   .concat(...REFERENCIAS, CASOS.map(c => c.fichero));
+const aMano = (d, i) => /^ch\d/.test(d) ? ['', 'cap', 'ch'][i % 3] + +d.slice(2, 4) : i % 9 ? d : d.toLowerCase();
 
 /// La imagen de ese caso, en grande.
 const amplia = (p, id) => p.da(id => {
@@ -154,7 +155,7 @@ const enLosDos = {
           if (!bien) mal.push([escrita, r?.top, senalado]);
         }
         return mal;
-      }, pedidas.map((d, i) => [d, i % 9 ? d : d.toLowerCase()])), [], ancho);
+      }, pedidas.map((d, i) => [d, aMano(d, i)])), [], ancho);
     }
     for (const nada of ['no_esta', 'L99.1', '%', 'a'.repeat(1000)]) {
       await p.va('#' + nada);

@@ -464,9 +464,8 @@ test('un guion se acorta hasta lo que basta', async () => {
 
 test('los errores de los shaders', () => {
   tabla(linea => leeError(linea, 'ch03_a'),
-    ["lab: ch05_iluminacion/phong.glsl:47: 'P4' : undeclared identifier — «N = unitario(P4);»",
-      { ruta: 'ch05_iluminacion/phong.glsl', linea: 47,
-        mensaje: "«P4» no está declarado ('P4' : undeclared identifier)" }],
+    ["lab: ch05_a/phong.glsl:47: 'P4' : undeclared identifier — «N = unitario(P4);»",
+      { ruta: 'ch05_a/phong.glsl', linea: 47, mensaje: "«P4» no está declarado ('P4' : undeclared identifier)" }],
     ["objeto.frag no compila: ERROR: 0:3: 'x' : no", { ruta: 'ch03_a/objeto.frag', linea: 3, mensaje: "'x' : no" }],
     ["a.frag:3: '-' : types 'const int' and 'in highp float' — «1 - a»", { ruta: 'ch03_a/a.frag', linea: 3,
       mensaje: "un int no vale como float: un real lleva punto, 1.0 y no 1 " +
