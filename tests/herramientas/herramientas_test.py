@@ -224,6 +224,8 @@ def test_cada_enlace_de_la_galeria_lleva_a_algo(tmp_path, en_marcha):
     assert re.findall("No se ha podido dibujar: (mal .*)<", escrita) == [c.fallo for c in casos[2::4]]
     assert escrita.count("Aún no está dibujada") == len(casos[1::2])
     assert ("faltan 3 programas" in escrita, "http-equiv" in escrita) == (True, en_marcha)
+    dichas = [*map(html.unescape, re.findall(r"<code>\./lab (explica \w+ \d[^<]*)<", escrita))]
+    assert all(re.fullmatch(r'explica \w+ \d+ \d+( -guion "[^"]+")?', o) for o in dichas) and bool(dichas) != en_marcha
     hay = {f"#{suyo}" for suyo in re.findall(r'\bid="([^"]+)"', escrita)}
     lleva = [p.nombre for p in programas] + [f"ejercicio/{ref}" for ref in shaders.ejercicios(RAIZ, programas)]
     hay |= {f"../web/index.html{a}" for a in ("", *(f"#{a}" for a in lleva)) if en_marcha}
