@@ -1,5 +1,5 @@
-// Lo que vale lo entregado: lo de herramientas/ejercicios/corrige/arbitro.py y veredicto.py, en la página. Que dan la
-// misma nota lo pregunta tests/paginas/notas.mjs.
+// Lo que vale lo entregado: lo de herramientas/ejercicios/corrige/arbitro.py y veredicto.py, en la página, con la
+// misma nota.
 
 /// Cuánto se parecen dos imágenes.
 export const BIEN = 1, CASI = 0.5;
