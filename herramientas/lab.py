@@ -459,12 +459,11 @@ def entiende(orden, palabras):
     a = analizador(orden)
     if orden in ("ver", "explica", "nuevo"):
         palabras = catalogo.juntas(palabras)
-    if orden not in LIBRES:
-        return a.parse_args(palabras)
-    if palabras[:1] in (["--help"], ["-h"]):
-        a.print_help()
-        raise SystemExit(0)
-    return argparse.Namespace(resto=palabras)
+    if {"--help", "-h"} & {*palabras}:  # también detrás de lo demás
+        palabras = ["--help"]
+    elif orden in LIBRES:
+        return argparse.Namespace(resto=palabras)
+    return a.parse_args(palabras)
 
 
 def para_prueba(a):

@@ -67,7 +67,7 @@ def test_cada_orden_tiene_su_ayuda(capfd, monkeypatch):
     assert all(f"./lab {orden}" in lab.ayuda() for orden in lab.ORDENES)
     for orden in lab.ORDENES:
         with pytest.raises(SystemExit) as fin:
-            lab.entiende(orden, ["--help"])
+            lab.entiende(orden, ["grua", "--help"])
         dicho = capfd.readouterr().out
         assert fin.value.code == 0 and f"uso: ./lab {orden}" in dicho
         assert not re.search("usage|options|positional|show this", dicho)
