@@ -118,7 +118,7 @@ function valorDe({ tipo, valor }) {
 const ESCRITO = { entra: 'se entra', vuelve: 'se vuelve', descarta: 'discard', caso: 'este caso' };
 
 /** Lo que se lee de una textura: con qué filtro, de qué niveles y de qué texels, con lo que pesa cada uno. */
-function lecturaDe({ escrito, motivo, filtro, lambda, niveles, texels, suma, valor, cara, seguido }) {
+function lecturaDe({ escrito, coordenadas, motivo, filtro, lambda, niveles, texels, suma, valor, cara, seguido }) {
   if (motivo) return h('p', {}, h('i', {}, `${escrito}: ${motivo}`));
   const deNivel = n => `nivel ${n.nivel}${n.peso < 1 ? ` · ${cifra(n.peso, 3)}` : ''}`;
   const color = (v, cifras) => [muestra(v.map(c => 255 * c)), vector(v, cifras)];
@@ -127,7 +127,7 @@ function lecturaDe({ escrito, motivo, filtro, lambda, niveles, texels, suma, val
   const como = `${cara && `cara ${cara}, `}${filtro}, λ = ${cifra(lambda, 3)}: `;
   return h('details', { class: 'lectura' }, h('summary', {}, como,
     niveles.map(deNivel).join(' + ')),
-  h('p', {}, `${escrito}. Un píxel abarca 2^λ texels: si λ no es positiva, la textura se amplía.`),
+  h('p', {}, `${escrito}, en ${vector(coordenadas)}. Un píxel abarca 2^λ texels: si λ no es positiva, se amplía.`),
   h('table', {}, h('tr', {}, ['nivel', 'texel', 'pesa', ''].map(t => h('th', {}, t))), texels.map(fila)),
   h('p', {}, 'suman ', color(suma, 4), '; se ha leído ', color(valor, 4)),
   seguido ? h('p', {}, `Se pinta en el framebuffer ${seguido.framebuffer}: `,

@@ -60,9 +60,10 @@ def de_sombreado(lineas):
 
 
 def de_lectura(lectura):
-    """De una textura, con qué filtro y de qué niveles: «textura.frag:10: texture(Img, st): GL_LINEAR, λ = −2.9, nivel
-    0»."""
-    de = f"      {lectura['fichero']}:{lectura['linea']}: {lectura['escrito']}: "
+    """De una textura, dónde, qué da, con qué filtro y de qué niveles: «textura.frag:10: texture(Img, st) en (0.5, 1) =
+    (0.2, 0, 0.7, 1): GL_LINEAR, λ = −2.9, nivel 0»."""
+    en = f" en {valor(lectura['coordenadas'])}" if "coordenadas" in lectura else ""
+    de = f"      {lectura['fichero']}:{lectura['linea']}: {lectura['escrito']}{en} = {valor(lectura['valor'])}: "
     if lectura["motivo"]:
         return de + lectura["motivo"]
     niveles = [f"nivel {n['nivel']}" + f" · {cifra(n['peso'])}" * (n["peso"] < 1) for n in lectura["niveles"]]
