@@ -41,8 +41,9 @@ export class Editor {
   /// Va a esa línea.
   async vaA({ ruta, linea }) {
     await this.abre(ruta);
-    this.cm.setCursor(linea - 1, 0);
     this.cm.focus();
+    this.cm.setCursor(linea - 1, 0, { scroll: false });
+    this.cm.scrollIntoView(null, 99); // que debajo quepa lo que se dice de ella
   }
 
   /// Una pestaña para cada fichero y, si hay `mas()`, otra que trae los que da. Si el programa no ha arrancado por un

@@ -65,13 +65,15 @@ const uso = {
     await p.acaba('compila', () => una('.compila-estado').textContent === 'Compilado.');
     assert.notDeepEqual(await p.imagen(), antes);
     await p.exige('lo hecho se ha repetido', () => hecho.ordenes.join() === 'tecla d,tecla d,tecla w' && sesion.vivo);
+    await p.talla(390, 700);
+    const mala = linea(lee(GRUA).split('ponFondo')[0]) - 1;
     await cambia(p, 'ponFondo(glm::vec3(1, 0, 0));', 'ponFondo(rojo);');
     await p.exige('un error queda en su línea, en el margen y en la lista, y sigue el de antes', donde => {
       const { bgClass, gutterMarkers } = cm.lineInfo(donde);
       return sesion.vivo && bgClass === 'linea-mala' && gutterMarkers.dichos && una('ul.dichos button.mensaje-malo');
-    }, linea(lee(GRUA).split('ponFondo')[0]) - 1);
-    await p.acaba('y se va allí', donde => cm.hasFocus() && cm.getCursor().line === donde,
-      linea(lee(GRUA).split('ponFondo')[0]) - 1);
+    }, mala);
+    await p.acaba('y se va allí, con lo dicho a la vista', donde => cm.hasFocus() && cm.getCursor().line === donde &&
+      una('.CodeMirror-linewidget').getBoundingClientRect().bottom < innerHeight, mala);
     await p.esParaTodos();
     await cambia(p, 'ponFondo(rojo)', 'ponFondo(CIELO)');
     assert.deepEqual(await p.imagen(), antes, 'y como estaba');
