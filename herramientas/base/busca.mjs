@@ -24,7 +24,7 @@ function llenas(suyas) {
 }
 
 /// Lo que se quita de una palabra para que case con otra de su familia: seleccionar, selección.
-const FINAL = /(ar|er|ir|ando|iendo|ado|ada|cion|os|as|es|o|a)$/;
+const FINAL = /(ar|er|ir|an|en|ando|iendo|ado|ada|cion|os|as|es|o|a)$/;
 
 /// Cuánto casa con una palabra cada una que haya, de 0 a 1; un plural, también con su singular.
 function casaCon(buscada) {
@@ -114,41 +114,36 @@ export class Indice {
     return valen;
   }
 
-  /// Lo que tiene todas las palabras, o sus sinónimos, de mejor a peor: { titulo, enlace, clase, texto, palabra }, con
-  /// la zona en que mejor está lo buscado y, si es un fuente, el identificador. Si no hay nada, lo que las tiene todas
-  /// menos una.
+  /// Lo que tiene más palabras de las buscadas, o sinónimos, y la mitad al menos, de mejor a peor: { titulo, enlace,
+  /// clase, texto, palabra, leFalta }, con la zona en que mejor está lo buscado y, si es un fuente, el identificador.
   busca(buscado) {
-    const suyas = palabras(buscado), hallados = this.#halla(this.#formas(suyas));
-    const dicen = llenas(suyas);
-    if (hallados.length || dicen.length < 2) return hallados;
-    const conUnaMenos = dicen.flatMap((_, i) => this.#formas(dicen.filter((_, j) => j !== i)));
-    return this.#halla(conUnaMenos).map(hallado => ({ ...hallado, leFalta: true }));
-  }
-
-  /// De cada entrada, lo mejor de todas esas formas.
-  #halla(formas) {
     const mejores = new Map();
-    for (const [suyas, cuanto] of formas) {
+    let pocas = Infinity; // las que faltan donde menos
+    for (const [suyas, cuanto] of this.#formas(palabras(buscado))) {
       const casan = llenas(suyas).map(palabra => this.#casa(palabra)), valen = casan.map(casa => this.#vale(casa));
       for (const entrada of valen.length ? this.#entradas : []) {
-        const hallado = this.#mide(entrada, valen, suyas.join(' ')), vale = hallado && cuanto * hallado.vale;
-        if (hallado && !(mejores.get(entrada)?.vale >= vale)) mejores.set(entrada, { ...hallado, vale, casan });
+        const hallado = this.#mide(entrada, valen, suyas.join(' ')), { faltan } = hallado, vale = cuanto * hallado.vale;
+        if (2 * faltan > valen.length || valen.length === faltan || faltan > pocas) continue;
+        if (faltan < pocas) mejores.clear();
+        pocas = faltan;
+        if (!(mejores.get(entrada)?.vale >= vale)) mejores.set(entrada, { ...hallado, vale, casan });
       }
     }
-    return [...mejores.values()].sort((a, b) => b.vale - a.vale).map(({ titulo, zona, vale, casan }) =>
-      ({ titulo, vale, enlace: zona.enlace, clase: zona.clase, texto: zona.texto, palabra: this.#mejor(zona, casan) }));
+    const leFalta = pocas > 0;
+    return [...mejores.values()].sort((a, b) => b.vale - a.vale).map(({ titulo, zona, vale, casan }) => ({ titulo, vale,
+      enlace: zona.enlace, clase: zona.clase, texto: zona.texto, palabra: this.#mejor(zona, casan), leFalta }));
   }
 
   /// De cada palabra vale la zona en que mejor está, y algo las demás; y más, si lo buscado es el texto entero de una.
   #mide({ titulo, zonas }, valen, entero) {
     const suma = numeros => numeros.reduce((a, b) => a + b, 0);
     const deCada = valen.map(enZona => zonas.map(z => enZona.get(z) ?? 0));
-    if (deCada.some(suyos => !Math.max(...suyos))) return;
+    const faltan = deCada.filter(suyos => !Math.max(...suyos)).length;
     const deZona = zonas.map((_, i) => suma(deCada.map(suyos => suyos[i])));
     const vale = suma(deCada.map(suyos => Math.max(...suyos) + 0.05 * suma(suyos)));
     const entera = zonas.find(z => z.entera === entero);
     const zona = entera ?? zonas[deZona.indexOf(Math.max(...deZona))];
-    return { titulo, zona, vale: vale + (entera ? VALE.título : 0) };
+    return { titulo, zona, faltan, vale: vale + (entera ? VALE.título : 0) };
   }
 
   /// El identificador de un fuente que mejor casa.

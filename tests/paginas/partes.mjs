@@ -154,8 +154,8 @@ test('todo se encuentra: cada nombre, título, referencia, pie, tecla e identifi
   for (const { titulo, zonas, fuentes } of indice.entradas) {
     const lo = buscado => buscador.busca(buscado).find(h => h.titulo === titulo);
     assert.equal(buscador.busca(titulo)[0].titulo, titulo);
-    const casi = buscador.busca(`${titulo} xyzzy`);
-    assert.ok(casi.length && casi.every(h => h.leFalta), `${titulo}, con otra palabra que no está`);
+    const casi = buscador.busca(`${titulo} xyzzy${palabras(titulo).length > 4 ? ' plugh' : ''}`);
+    assert.ok(casi.length && casi.every(h => h.leFalta), `${titulo}, con otras palabras que no están`);
     for (const [clase, enlace, texto] of zonas) {
       assert.doesNotMatch(texto, /&#?\w+;|<\/?\w+[^<]*>/, `${titulo}: el texto, sin HTML`);
       const hallado = lo(clase === 'imagen' ? texto : palabras(texto).slice(0, 3).join(' '));
