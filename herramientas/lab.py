@@ -354,7 +354,7 @@ class Laboratorio:
         if informe.exists():
             if que.junit:
                 procesos.escribe(self.donde / que.junit, informe.read_bytes())
-            self.hace("pruebas.fallos", self.raiz, en)
+            estado = max(estado, self.hace("pruebas.fallos", self.raiz, en))
         return estado
 
     @staticmethod
