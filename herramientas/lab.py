@@ -355,7 +355,8 @@ class Laboratorio:
         if informe.exists():
             if que.junit:
                 procesos.escribe(self.donde / que.junit, informe.read_bytes())
-            self.hace("pruebas.fallos", self.raiz, en)
+            sin_decir = self.hace("pruebas.fallos", self.raiz, en)
+            estado = estado or sin_decir
         return estado
 
     @staticmethod

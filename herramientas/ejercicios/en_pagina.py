@@ -1,6 +1,7 @@
 """Lo que la página de ./lab web sabe de cada ejercicio: lo que se da, lo que se pide y cómo se corrige. Todo es de
 ./lab nuevo y de ./lab corrige, escrito una vez al hacer la página: allí solo se juega."""
 import os
+import re
 from dataclasses import asdict
 from pathlib import Path
 
@@ -47,15 +48,12 @@ def resumen(raiz, programa, ref, del_libro):
 
 
 def en_html(texto):
-    """Un enunciado: párrafos y listas. Su título ya está en la página."""
+    """Un enunciado: párrafos y listas, que pueden ir seguidos. Su título ya está en la página."""
     hecho = ""
-    for parrafo in texto.split("\n\n"):
-        lineas = [linea for linea in parrafo.splitlines() if not linea.startswith("# ")]
-        if lineas and all(linea.startswith(("- ", "  ")) for linea in lineas):
-            hecho += f"<ul>{''.join(f'<li>{libro.en_html(e)}</li>' for e in parrafo[2:].split(chr(10) + '- '))}</ul>"
-        elif lineas:
-            hecho += f"<p>{libro.en_html(' '.join(lineas).lstrip('# '))}</p>"
-    return hecho
+    for trozo in re.split(r"\n\s*\n|\n(?=- |#)", re.sub("^# .*", "", texto, flags=re.M)):
+        if dice := libro.en_html(trozo.strip().removeprefix("- ").lstrip("# ")):
+            hecho += f"<li>{dice}</li>" if trozo.lstrip("\n").startswith("- ") else f"<p>{dice}</p>"
+    return re.sub("(<li>.*?</li>)(?!<li>)", r"<ul>\1</ul>", hecho)
 
 
 def corrige(raiz, build, programa, ref, cuantos=None):

@@ -173,8 +173,15 @@ def enunciado(raiz, programa, referencia, nombre, ficheros):
 
 
 def imagen_de(caso):
-    """Cómo se llama, en esperado/, la de adónde hay que llegar."""
-    return re.sub("[^a-z0-9]+", "_", catalogo.llano(caso.titulo or "al abrirlo")).strip("_") + ".png"
+    """Cómo se llama, en esperado/, la de adónde hay que llegar: la de otro caso, de otra manera."""
+    llamadas = []
+    for otro in caso.programa.casos:
+        suya = re.sub("[^a-z0-9]+", "_", catalogo.llano(otro.titulo or "al abrirlo")).strip("_") or "caso"
+        while suya in llamadas:
+            suya += "_otro"
+        llamadas.append(suya)
+        if otro is caso:
+            return f"{suya}.png"
 
 
 def ejercicio_pedido(pedido, hay):

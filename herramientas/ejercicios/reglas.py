@@ -104,9 +104,8 @@ def valor(clave, texto):
 
 def numeros(texto):
     """Los de «2 1 1», o ninguno."""
-    return (
-        [float(n.replace(",", ".")) for n in texto.split()] if re.fullmatch(rf"{NUMERO}(\s+{NUMERO})*", texto) else []
-    )
+    son = re.fullmatch(rf"{NUMERO}(\s+{NUMERO})*", texto)
+    return [float(n.replace(",", ".")) for n in texto.split()] if son else []
 
 
 def tramos(escala):

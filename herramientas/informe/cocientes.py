@@ -7,9 +7,7 @@ import math
 from dataclasses import dataclass
 from statistics import median
 
-IGUALES = (
-    1.1  # lo que cambia un tiempo de una ejecución a otra según dónde caiga en la memoria: con menos no se distinguen
-)
+IGUALES = 1.1  # lo que cambia un tiempo según dónde caiga en la memoria: con menos no se distinguen
 
 
 @dataclass

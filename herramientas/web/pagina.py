@@ -31,9 +31,8 @@ class ProgramaVivo:
 
     def __init__(self, raiz, build, programa):
         self.raiz, self.programa = raiz, programa
-        self.controles = [
-            c for c in controles.lee(raiz, programa) if c.teclas != ["Esc"] and not c.texto.startswith("sin controles")
-        ]
+        suyos = [c for c in controles.lee(raiz, programa) if c.teclas != ["Esc"]]
+        self.controles = [c for c in suyos if not c.texto.startswith("sin controles")]
         teclas = [orden for c in self.controles if not c.termina for orden in c.ordenes]
         self.rasgos, self.opciones = set(), []
         with tempfile.NamedTemporaryFile("r") as leidos:  # los ficheros del laboratorio que lee

@@ -32,9 +32,8 @@ CABECERAS = [
     ("sis", EMSCRIPTEN, r"(?!elf|libunwind|wasm_simd)[^/]*\.h$"),
 ]
 DEL_COMPILADOR = r"include/(__std|std|float|limits|iso646|inttypes|tgmath|__float|__limits|varargs|unwind)[^/]*\.h$"
-DE_GL = [f"GL/{h}.h" for h in "freeglut freeglut_std freeglut_ext freeglut_ucall gl glext glu".split()] + [
-    "KHR/khrplatform.h"
-]
+DE_GL = [f"GL/{h}.h" for h in "freeglut freeglut_std freeglut_ext freeglut_ucall gl glext glu".split()]
+DE_GL.append("KHR/khrplatform.h")
 COMENTARIO = re.compile(rb"^[ \t]*//.*$|^typedef .*APIENTRYP PFNGL.*$", re.M)  # y los tipos con que se buscaría OpenGL
 HACIA_ARRIBA = re.compile(r'(#\s*include\s*)"((?:\.\./)+[^"]+)"')
 

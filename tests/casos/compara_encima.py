@@ -76,9 +76,8 @@ def compara(deben, son):
             continue
         from difflib import SequenceMatcher  # solo aquí: son cientos de procesos, y tarda más que todo lo demás
 
-        for que, i, j, k, n in SequenceMatcher(
-            None, [nombre(t) for t in a], [nombre(t) for t in b], False
-        ).get_opcodes():
+        una, otra = ([nombre(t) for t in trazos] for trazos in (a, b))
+        for que, i, j, k, n in SequenceMatcher(None, una, otra, False).get_opcodes():
             yield from (f"{imagen}, trazo {i + 1}, falta {nombre(t)}" for t in a[i:j] if que != "equal")
             yield from (f"{imagen}, trazo {k + 1}, sobra {nombre(t)}" for t in b[k:n] if que != "equal")
 

@@ -126,9 +126,8 @@ def test_lo_que_se_pinta_encima():
                 continue
             for (j, numero), signo in itertools.product(enumerate(numeros), (1, -1)):
                 cota = signo * cotas[j % len(cotas)]
-                casi, otro = (
-                    " ".join([*numeros[:j], str(float(numero) + c * cota), *numeros[j + 1 :]]) for c in (0.8, 1.2)
-                )
+                cambia = lambda c: " ".join([*numeros[:j], str(float(numero) + c * cota), *numeros[j + 1 :]])
+                casi, otro = map(cambia, (0.8, 1.2))
                 assert not distinto(con(i, k, casi)) and distinto(con(i, k, otro)), (i, campo, j)
         assert any("falta" in h for h in distinto(trazos[:i] + trazos[i + 1 :]))
         assert any("sobra" in h for h in distinto([*trazos[: i + 1], trazo, *trazos[i + 1 :]]))

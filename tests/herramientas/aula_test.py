@@ -1,6 +1,7 @@
 """Lo que entrega una clase: lo que hay en una carpeta o en un .zip, que no es de fiar; lo que descarga Moodle y la hoja
 de calificaciones; en qué se equivoca una clase; y quién se parece a quién. Una entera, en corrige_test.py."""
 import csv
+import gzip
 import io
 import os
 import random
@@ -11,17 +12,8 @@ from pathlib import Path
 
 import pytest
 
-from banco import (
-    BUILD,
-    MOODLE,
-    RAIZ,
-    REF,
-    banco_falso,
-    carpeta_de,
-    con_catalogo,
-    en_tar,
-    en_zip,
-)
+from banco import BUILD, MOODLE, RAIZ, REF
+from banco import banco_falso, carpeta_de, con_catalogo, en_tar, en_zip
 from base import catalogo, defectos, procesos
 from ejercicios import nuevo
 from ejercicios.corrige import aula
@@ -63,7 +55,6 @@ NOMBRADOS = {  # de cómo se llama un fichero, cómo lo escribe cada uno
 }
 SALEN = ["../../p.cpp", "a/../../p.cpp", b"..\\..\\p.cpp", "/etc/p.cpp", "C:/p.cpp"]
 ESTROPEADOS = {
-    "cortado": BUENO[:-30],
     "cortado por delante": BUENO[40:],
     "CRC": cambiado(en_zip(("p.cpp", P), como=zipfile.ZIP_STORED), P, P[::-1]),
     "otro método": cambiado(BUENO, b"\x08\0\0\0!\0", b"\x63\0\0\0!\0"),
@@ -88,19 +79,13 @@ CONTENIDOS |= {"binario": b"\x7fELF\0", "latin1": b"int main() {} // gr\xfaa", "
 CONTENIDOS |= {"E4.4": "E4.4 ch04/x", REF: f"{REF} ch03/grua", "viejo": "viejo", "m": "int main() {}"}
 CONTENIDOS |= {
     "en tar": en_tar("gz", ("grua/p.cpp", P), ("grua/p.h", b"")),
-    "tar sin comprimir": en_tar("", ("p.cpp", P), ("p.h", b"")),
     "tar que sale": en_tar("gz", ("../../p.cpp", P)),
     "tar de enlaces": en_tar("gz", ("p.cpp", b"", "SYMTYPE")),
     "tar bomba": en_tar("gz", ("a", bytes(70 << 20)), ("p.cpp", P)),
-    "otro main": "int main() { return 0; }",
-    "suyo": '#include "p.h"\nint main() {}',
-    "+p.h": '#include "p.h"',
 }
-CONTENIDOS |= {
-    "el mismo": BUENO,
-    "+gordo.h": '#include "gordo.h"\nint main() {}',
-    "comentado": "// int main() {}\n/* main() */",
-}
+CONTENIDOS |= {"otro main": "int main() { return 0; }", "suyo": '#include "p.h"\nint main() {}', "el mismo": BUENO}
+CONTENIDOS |= {"+gordo.h": '#include "gordo.h"\nint main() {}', "comentado": "// int main() {}\n/* main() */"}
+CONTENIDOS["+p.h"] = '#include "p.h"'
 REVUELTA = r"""
 ana                           p.cpp=m, p.h → p.cpp p.h
 solo el programa              mi.cc=m → mi.cc p.h; no viene p.h: se ha puesto el de partida
@@ -123,11 +108,9 @@ de otro ejercicio             p.cpp=m, p.h, ejercicio.txt=E4.4 → su carpeta es
 nada                          .p.cpp=m → no hay nada en su carpeta
 rar                           entrega.rar, leeme.txt → no hay ningún fuente: hay un «entrega.rar» sin descomprimir
 tar.gz                        e.tar.gz=en tar → p.cpp p.h; se ha abierto «e.tar.gz»: entrégalo sin comprimir…
-tar                           f.TAR=tar sin comprimir → p.cpp p.h; se ha abierto «f.TAR»…
 tar que sale                  e.tgz=tar que sale → en lo comprimido hay una ruta que sale de su carpeta: «../../p.cpp»
 tar de enlaces                e.tgz=tar de enlaces → no hay nada en su carpeta
 tar bomba                     e.tgz=tar bomba → «e.tgz» pasa de 64 MiB
-tar que no lo es              e.tar.gz=m, f.tar=m → «e.tar.gz» no se puede abrir: está estropeado, o no es…
 de Windows                    p.cpp.txt=m, p.h → p.cpp p.h; se llama p.cpp.txt, y se ha leído como p.cpp
 y también sin él              p.cpp=m, p.cpp.txt=binario, p.h, leeme.txt → p.cpp p.h
 word                          mi grúa.docx → no hay ningún fuente: hay mi grúa.docx
@@ -248,25 +231,38 @@ def lee(que):
     return next(iter(leida.mal.values()), " ".join(sorted(leida.ficheros)))
 
 
-def test_un_zip_estropeado_de_cualquier_manera(tmp_path):
-    azar = random.Random(1)
-    for i in range(300):
-        malo = bytearray(BUENO)
-        for _ in range(azar.randint(1, 12)):
-            malo[azar.randrange(len(malo))] = azar.randrange(256)
-        sitio = tmp_path / str(i)
-        carpeta_de(sitio, {"x.zip": bytes(malo[: azar.randrange(len(malo)) if azar.random() < 0.2 else None])})
-        dicho = lee(sitio)
-        assert dicho and "Traceback" not in dicho
-    assert len(list(tmp_path.iterdir())) == 300
+HAY = {"p.cpp": P * 9, "p.h": b"int x;\n"}
+COMPRIMIDOS = {f".tar{c}": en_tar(c[1:], *HAY.items()) for c in ("", ".gz", ".xz", ".bz2")}
+COMPRIMIDOS |= {".zip": en_zip(*HAY.items()), "dos veces": gzip.compress(COMPRIMIDOS[".tar.gz"])}
+
+
+def estropeados(datos, azar):
+    """Cortados por cualquier sitio; y si en él se sabe, con algunos bytes cambiados."""
+    yield from (datos[:hasta] for hasta in range(1, len(datos), len(datos) // 9 + 1))
+    for _ in range(60 * datos.startswith(b"PK")):
+        malos = {azar.randrange(len(datos)) for _ in range(azar.randint(1, 12))}
+        yield bytes(azar.randrange(256) if i in malos else b for i, b in enumerate(datos))
+
+
+@pytest.mark.parametrize("tipo", [".zip", ".tar", ".TAR", ".tar.gz", ".tgz"])
+@pytest.mark.parametrize("como", COMPRIMIDOS)
+def test_de_lo_comprimido_sale_lo_que_hay_o_se_dice(tmp_path, como, tipo):
+    """Sea lo que sea, se llame como se llame y se estropee como se estropee: nunca otra cosa."""
+    entero = COMPRIMIDOS[como]
+    for datos in (entero, *estropeados(entero, random.Random(1))):
+        (tmp_path / f"e{tipo}").write_bytes(datos)
+        try:
+            leida = entrega.lee_entrega(tmp_path, REF)
+            assert {*leida.ficheros.values()} <= {*HAY.values()} and (datos != entero or leida.ficheros == HAY)
+        except entrega.Rechazo as por:
+            assert "\n" not in str(por) and (datos != entero or tipo.lower() != como and f"e{tipo}" in str(por))
 
 
 def test_lo_que_hay_en_el_zip_de_todos_es_de_cada_uno(tmp_path):
     """Lo de uno que sale de su carpeta, o que se estropea, es suyo."""
     bien, mal = f"Ana_1{MOODLE}", f"Eva_2{MOODLE}"
-    datos = en_zip(
-        (f"{bien}/p.cpp", P), (f"{mal}/../../x.cpp", P), (f"Luis_3{MOODLE}/p.cpp", b"Z" * 99), como=zipfile.ZIP_STORED
-    )
+    suyos = (f"{bien}/p.cpp", P), (f"{mal}/../../x.cpp", P), (f"Luis_3{MOODLE}/p.cpp", b"Z" * 99)
+    datos = en_zip(*suyos, como=zipfile.ZIP_STORED)
     (tmp_path / "c.zip").write_bytes(cambiado(datos, b"Z" * 99, b"z" * 99))
     _, dentro, _ = aula.busca(tmp_path, tmp_path / "c.zip")
     dicho = {q.name: lee(q) for q in dentro}
@@ -305,7 +301,7 @@ def de_moodle(texto):
 
 # Y de Canvas y de Blackboard, sin nada de Moodle.
 DE_OTRAS = """
-gilana_11111_222222_p.cpp gilana_11111_222223_p-1.h luis_LATE_3_4_grua-2.cpp → gilana_11111=p.cpp~p.h luis_3=grua.cpp
+gilana_11111_222222_p.cpp gilana_11111_222223_p-1.h luis_LATE_3_4_grua-12.cpp → gilana_11111=p.cpp~p.h luis_3=grua.cpp
 gilana_11111_222222_p.cpp leeme.txt → gilana_11111=p.cpp
 Clase/gil_11_22_mi_p.cpp Clase/luis_3_4_q.h → gil_11=mi_p.cpp luis_3=q.h
 T_1_al7_attempt_2026-11-20-09-30-00_p.cpp T_1_al7_attempt_2026-11-20-09-30-00.txt → al7=p.cpp
@@ -324,15 +320,6 @@ def test_de_quien_es_lo_que_da_una_plataforma(tmp_path, fila, en):
         siembra(tmp_path / "clase", {ruta: P.decode()})
     _, dentro, _ = aula.busca(tmp_path, tmp_path / ("clase.zip" if en == "zip" else "clase"))
     assert [f"{q.name}={lee(q)}" for q in sorted(dentro, key=lambda q: q.name)] == son
-
-
-def test_lo_suelto_de_una_carpeta_tampoco_es_de_fiar(tmp_path):
-    siembra(tmp_path / "c", {f"Ana_1{MOODLE}p.cpp": "", f"Luis_2{MOODLE}p.h": ""})
-    (tmp_path / f"c/Eva_3{MOODLE}p.cpp").symlink_to("/etc/passwd")
-    os.mkfifo(tmp_path / f"c/Leo_4{MOODLE}p.cpp")
-    dicho = [lee(q) for q in aula.busca(tmp_path, tmp_path / "c")[1]]
-    assert dicho[0] == "p.cpp" and dicho[3] == "p.h"
-    assert "es un enlace" in dicho[1] and "no es un fichero corriente" in dicho[2]
 
 
 def test_uno_solo_en_un_zip(tmp_path):
@@ -463,23 +450,33 @@ def test_una_fila_cortada_no_estropea_la_hoja(tmp_path):
 def test_lo_que_la_hoja_dice_a_excel_no_va_a_moodle(tmp_path, antes):
     fichero, suya = tmp_path / "h.csv", una_hoja(COLUMNAS, separador=";")
     fichero.write_bytes(f"{antes}{suya}".encode())
-    assert hoja.Hoja(fichero).escribe().read_text("utf-8-sig" if antes[0] == "\ufeff" else "utf-8") == suya.replace(
-        "\r\n", "\n"
-    )
+    escrita = hoja.Hoja(fichero).escribe().read_text("utf-8-sig" if antes[0] == "\ufeff" else "utf-8")
+    assert escrita == suya.replace("\r\n", "\n")
 
 
-@pytest.mark.parametrize(
-    "nota, maxima, dice",
-    [
-        *[(100, "10,00", "10,00"), (99.9, "1,00", "0,999"), (0, "100,00", "0,00"), (33.3, "7.00", "2.331")],
-        *[(100, "10", "10"), (8.3, "10", "0,83"), (75, "10", "7,5"), (0, "100", "0")],
-    ],
-)
-def test_la_nota_va_en_los_puntos_de_la_tarea(tmp_path, nota, maxima, dice):
-    (tmp_path / "h.csv").write_text(una_hoja(COLUMNAS, maxima=maxima))
-    suya = hoja.Hoja(tmp_path / "h.csv")
-    suya.pon(f"A_1002{MOODLE}", {**HECHA, "nota": nota})
-    assert celdas(suya.escribe().read_bytes())[2][4] == dice
+@pytest.mark.parametrize("maxima", "1,00 7.00 10 10,00 12.50 20 100 1000 1.000,00".split())
+def test_una_nota_vale_lo_que_vale_en_cada_sitio(tmp_path, monkeypatch, maxima):
+    """En los puntos de la tarea, con la coma y los decimales que use, en VPL, en la tabla y en el comentario; y solo la
+    que es 100 es la máxima."""
+    coma = "," if "," in maxima else "."
+    debe = float(re.sub(r"\.(?=.*,)", "", maxima).replace(",", "."))
+    monkeypatch.setenv("VPL_GRADEMAX", f"{debe:g}")
+    for nota in (0, 0.1, 8.3, 33.3, 50, 87.5, 99.4, 99.9, 100):
+        c = {**HECHA, "nota": nota, "ejercicio": REF, "semilla": "1"}
+        (tmp_path / "h.csv").write_text(una_hoja(COLUMNAS, maxima=maxima))
+        suya = hoja.Hoja(tmp_path / "h.csv")
+        suya.pon(f"A_1002{MOODLE}", c)
+        puesta = celdas(suya.escribe().read_bytes())[2][4]
+        como = rf"\d+{coma}\d\d[1-9]?" if coma in maxima else r"\d+(,\d*[1-9])?"
+        assert re.fullmatch(como, puesta), puesta
+        vpl, en_tabla = (
+            informes.en_vpl(c).rpartition("Grade :=>> ")[2],
+            celdas(informes.en_csv([c]).encode(), separador=";")[1],
+        )
+        dicho = re.match(r"<p>(\S+) de 100", hoja.comentario(c))[1]
+        for escrita, de in (puesta, debe), (vpl, debe), (en_tabla[2], 100), (dicho, 100):
+            vale = float(escrita.replace(",", "."))
+            assert abs(vale - nota * de / 100) <= 0.005 and (vale == de) == (nota == 100), (nota, escrita)
 
 
 @pytest.mark.parametrize(
@@ -589,6 +586,29 @@ def test_en_que_se_equivoca_cada_uno():
         "«tecla a» no hace nada": 1,
         "falta algo por dibujar": 1,
     }
+
+
+def test_de_cada_uno_se_dice_todo_y_nada_dos_veces():
+    azar, donde = random.Random(1), {"pixel": [1, 2], "ventana": [9, 9]}
+    for _ in range(50):
+        fallos = [
+            {"que": f"falla {n}", "donde": azar.choice([None, *({**donde, "dice": d} for d in "uv")])} for n in range(3)
+        ]
+        son = [
+            re.sub("lo primero que se aparta: (.);.*", r"\1", d)
+            for d in informes.lineas({"dice": ["x"], "fallos": fallos})
+        ]
+        assert sorted(son) == sorted(
+            {"x", *(f["que"] for f in fallos), *(f["donde"]["dice"] for f in fallos if f["donde"])}
+        )
+
+
+@pytest.mark.parametrize("copian", range(6))
+def test_las_parejas_que_no_se_ensenan_se_cuentan(monkeypatch, copian):
+    monkeypatch.setattr(conjunto, "PAREJAS", 3)
+    leidas = {(i, j): {"p.cpp": UNA.replace("3", str(10 + i))} for i in range(copian) for j in "ab"}
+    vistas, mas = conjunto.las_que_se_parecen({q: q for q in leidas}, leidas, [{"p.cpp": UNA.replace("3", "x")}])
+    assert (len(vistas), mas) == (min(copian, 3), max(copian - 3, 0)) and all(p.una[0] == p.otra[0] for p in vistas)
 
 
 def test_lo_que_se_dice_a_quien_no_sabe_de_guiones():

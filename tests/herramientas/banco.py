@@ -19,9 +19,8 @@ REF = "E3.5"
 MOODLE = "_assignsubmission_file_"
 UNO = {"p.cpp": "int main() {}", "p.h": ""}
 con_catalogo = pytest.mark.skipif(not (BUILD / "catalogo.json").exists(), reason="no está configurado")
-con_comparador = pytest.mark.skipif(
-    not (BUILD / "herramientas/comparador/compara").exists(), reason="no está compilado"
-)
+hay_comparador = (BUILD / "herramientas/comparador/compara").exists()
+con_comparador = pytest.mark.skipif(not hay_comparador, reason="no está compilado")
 con_jaula = pytest.mark.skipif(
     not se_encierra() or not (BUILD / "catalogo.json").exists(),
     reason="aquí no se puede encerrar nada, o no está compilado",
@@ -85,20 +84,10 @@ def en_tar(comprimido, *miembros):
 def banco_falso(temporal, **mas):
     """Un banco del que basta lo que no compila ni juega."""
     de_partida = {"p.cpp": "// lo de partida\nint main() {}\n", "p.h": ""}, "p.cpp"
-    hay = {
-        "ref": REF,
-        "clave": "v",
-        "semilla": "1",
-        "todos": [Guion("caso", (), True), Guion("al azar", ("tecla a",))],
-        "de_partida": de_partida,
-        "dados": (de_partida[0], {"p.cpp": "int main() {}\n", "p.h": "// algo"}),
-        "programa": SimpleNamespace(nombre="a", titulo="A", casos=[]),
-        "temporal": temporal,
-        "reglas": Reglas(),
-        "raiz": RAIZ,
-        "privados": {"ch03_transformaciones/grua.h"},
-        "de_otro": lambda ruta: Banco.de_otro(banco, ruta),
-        "huella": lambda *que: Banco.huella(banco, *que),
-    }
-    banco = SimpleNamespace(**{**hay, "arbitro": SimpleNamespace(), **mas})
+    hay = {"ref": REF, "clave": "v", "semilla": "1", "temporal": temporal, "reglas": Reglas(), "raiz": RAIZ}
+    hay |= {"todos": [Guion("caso", (), True), Guion("al azar", ("tecla a",))], "de_partida": de_partida}
+    hay |= {"dados": (de_partida[0], {"p.cpp": "int main() {}\n", "p.h": "// algo"})}
+    hay |= {"programa": SimpleNamespace(nombre="a", titulo="A", casos=[]), "arbitro": SimpleNamespace()}
+    hay |= {"privados": {"ch03_transformaciones/grua.h"}, "de_otro": lambda ruta: Banco.de_otro(banco, ruta)}
+    banco = SimpleNamespace(**hay | {"huella": lambda *que: Banco.huella(banco, *que)} | mas)
     return banco

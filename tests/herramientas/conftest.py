@@ -6,9 +6,8 @@ from types import SimpleNamespace
 import pytest
 
 RAIZ = Path(__file__).parents[2]
-sys.path[:0] = [
-    str(RAIZ / carpeta) for carpeta in ("herramientas", "tests/ordenes", "tests/paginas", "tests/propiedades")
-]
+CARPETAS = "herramientas", "tests/ordenes", "tests/paginas", "tests/propiedades"
+sys.path[:0] = [str(RAIZ / carpeta) for carpeta in CARPETAS]
 from ejercicios.corrige import clase as de_clase
 
 
@@ -17,10 +16,7 @@ def juzga(monkeypatch):
     """En vez de compilar y jugar, una función de (banco, entrega), que da la nota y lo que se dice."""
 
     def pon(funcion):
-        monkeypatch.setattr(
-            de_clase,
-            "Correccion",
-            lambda *p: SimpleNamespace(dibuja=True, hazla=lambda: {"fallos": [], **funcion(*p)}),
-        )
+        hecha = lambda *p: SimpleNamespace(dibuja=True, hazla=lambda: {"fallos": [], **funcion(*p)})
+        monkeypatch.setattr(de_clase, "Correccion", hecha)
 
     return pon

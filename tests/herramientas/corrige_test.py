@@ -78,9 +78,8 @@ def test_los_guiones_al_azar_son_los_mismos_y_usan_todos_los_mandos():
     assert {guiones.sin_veces(g.ordenes[0]) for g in hechos[0]} == set(mandos)
     assert any(o.endswith(" ×30") for g in hechos[0] for o in g.ordenes)
     tallas = [[o for o in g.ordenes[:-3] if o.startswith("tamano")] for g in hechos[0]]
-    assert [len(t) for t in tallas] == [0, 1] * 10 and {o for t in tallas for o in t} == {
-        f"tamano {t}" for t in partidas.TALLAS
-    }
+    assert [len(t) for t in tallas] == [0, 1] * 10
+    assert {o for t in tallas for o in t} == {f"tamano {t}" for t in partidas.TALLAS}
     assert {g.ordenes[-3:] for g in hechos[0]} == {partidas.FINAL}
     pocos = list(partidas.guiones_al_azar("E1 1", 3, pulsan, lambda azar: ["tecla z"]))
     assert {guiones.sin_veces(o) for g in pocos for o in g.ordenes} >= set(mandos)  # aunque sean más que los guiones
@@ -147,15 +146,8 @@ def test_dos_imagenes_son_la_misma(tmp_path):
     """De la tolerancia más estrecha a la más ancha, cada una admite lo que la anterior y algo más."""
     arbitro = Arbitro.__new__(Arbitro)
     arbitro.temporal, arbitro.build = tmp_path, BUILD
-    gris, otro = bytes([100]) * 3000, bytes([160])
-    otras = (
-        gris,
-        bytes([101]) * 3000,
-        bytes([103]) * 3000,
-        otro * 3 + gris[3:],
-        bytes([110]) * 3000,
-        gris[30:] + bytes(30),
-    )
+    gris, *grises = (bytes([nivel]) * 3000 for nivel in (100, 101, 103, 110))
+    otras = gris, *grises[:2], bytes([160] * 3) + gris[3:], grises[2], gris[30:] + bytes(30)
     admiten = {}
     for arbitro.tolerancia in reglas.TOLERANCIAS:
         arbitro.parecidas = {}
@@ -179,9 +171,8 @@ def test_la_nota_es_la_parte_de_los_guiones_que_salen_bien():
             return obtenida(guion) if variante == "entrega" else partida(1)
 
         jugados.clear()
-        arbitro = SimpleNamespace(
-            juega=juega, parecido=lambda una, otra: BIEN if una == otra else CASI * (otra[2][0] == 7)
-        )
+        parecido = lambda una, otra: BIEN if una == otra else CASI * (otra[2][0] == 7)
+        arbitro = SimpleNamespace(juega=juega, parecido=parecido)
         arbitro.difiere = lambda *p: Arbitro.difiere(arbitro, *p)
         banco = SimpleNamespace(todos=casos + otros, arbitro=arbitro, reglas=Reglas(), sin_hacer=lambda: None)
         banco.compilador = SimpleNamespace(solucion="solución")
@@ -229,15 +220,8 @@ def por_piezas(carpeta, entregado, huecos=50, pesos="iguales"):
 
     arbitro = SimpleNamespace(juega=juega, parecido=lambda una, otra: BIEN * (una == otra))
     arbitro.difiere = lambda *p: Arbitro.difiere(arbitro, *p)
-    banco = SimpleNamespace(
-        ref=REF,
-        sin_solucion="",
-        sin_hacer=lambda: None,
-        piezas={},
-        arbitro=arbitro,
-        temporal=carpeta,
-        reglas=Reglas(huecos=huecos, pesos=pesos),
-    )
+    comun = {"ref": REF, "sin_solucion": "", "sin_hacer": lambda: None, "piezas": {}, "temporal": carpeta}
+    banco = SimpleNamespace(**comun, arbitro=arbitro, reglas=Reglas(huecos=huecos, pesos=pesos))
     banco.todos = [Guion(str(i), ()) for i in range(3)]
     banco.motivos = SimpleNamespace(trozos=lambda: trozos, textos=lambda: {"p.cpp": solucion}, limpio=lambda t: t)
     banco.motivos.por_que = lambda jugadas, *_: sorted({f"parece {p.imagenes[0][2][0]}" for p in jugadas.values()})[1:]
@@ -360,9 +344,8 @@ def test_un_numero_con_pocas_cifras():
     """Solo si lo es de verdad, lo ha escrito quien lo entrega y no está en un comentario."""
     dado = {"p.h": "float a = 0.33;"}
     for escrito, dice in {"3.14f": "3.14", "0.017": "0.017", "1.0/.33": "", "0.67": "0.67", "1.57": "1.57"}.items():
-        assert motivos.pocas_cifras({"p.h": f"/*\n3.14*/\n{escrito}".encode()}, dado).endswith(
-            f"p.h:3, {dice}?" if dice else ""
-        )
+        dicho = motivos.pocas_cifras({"p.h": f"/*\n3.14*/\n{escrito}".encode()}, dado)
+        assert dicho.endswith(f"p.h:3, {dice}?" if dice else "")
     for escrito in ("3.1415926f", "0.25", "3.5", "0.34", "v.xy", "normalize(a)"):
         assert not motivos.pocas_cifras({"p.h": escrito.encode()}, dado)
 
@@ -439,6 +422,9 @@ def test_lo_de_otro_no_estropea_lo_que_se_escribe(tmp_path, juzga, monkeypatch, 
         assert orden_.main() == 1
         return "".join(capsys.readouterr())
 
+    for de_una in ["--vpl"], ["--json", "x"], ["--cambia-notas"]:  # lo que no se hace se dice
+        with pytest.raises(procesos.Fallo, match=f"^{de_una[0]} es de "):
+            pide(tmp_path / "clase", REF, *de_una)
     escrito = pide(tmp_path / "clase", REF, "--sin-jaula", "--junit", tmp_path / "j.xml", "--deja", tmp_path / "d")
     monkeypatch.setattr(orden_, "Jaula", lambda _: SimpleNamespace(comprueba=lambda: None))
     for carpeta in sorted((tmp_path / "clase").iterdir()):
@@ -531,14 +517,6 @@ def test_en_que_ventana_es_un_pixel():
     }
     otra = veredicto.en_su_ventana(("tamano 120 160",), [10, 20], (120, 160))
     assert otra["ventana"] == [120, 160] and otra["explica"] == '10 20 -geometry 240x180 -guion "tamano 120 160"'
-
-
-def test_la_nota_de_vpl(monkeypatch):
-    hecha = {"entrega": "ana", "ejercicio": REF, "semilla": "7", "nota": 87.5, "bien": 20, "guiones": 29}
-    hecha |= {"dice": [], "fallos": [], "reglas": ""}
-    for limite, valor, nota in (("", "", "87.5"), ("MAX", "10", "8.75"), ("MIN", "2", "9")):
-        monkeypatch.setenv(f"VPL_GRADE{limite}", valor)
-        assert informes.en_vpl(hecha).endswith(f"\nGrade :=>> {nota}")
 
 
 # --- lo guardado: lo mismo que sin guardar, y otra vez si cambia algo, lo que sea --------------------------------
@@ -638,7 +616,7 @@ def test_una_entrega_tan_lenta_como_la_solucion_acaba(tmp_path):
         assert max(1, 2 * segundos) <= procesador < reloj <= 60 + 20 * segundos
 
 
-def test_lo_que_no_se_ha_podido_corregir_se_dice(tmp_path, juzga, monkeypatch):
+def test_lo_que_no_se_ha_podido_corregir_se_dice(tmp_path, juzga, monkeypatch, capsys):
     juzga(lambda *_: {"nota": 100, "dice": []})
     for nombre in "abc":
         carpeta_de(tmp_path / "c" / nombre, UNO)
@@ -652,8 +630,12 @@ def test_lo_que_no_se_ha_podido_corregir_se_dice(tmp_path, juzga, monkeypatch):
     sin_banco(monkeypatch, tmp_path)
     pide = ["x", str(RAIZ), str(tmp_path), str(tmp_path / "c"), REF, "--sin-jaula", "--deja", str(tmp_path / "d")]
     monkeypatch.setattr(sys, "argv", pide)
-    with pytest.raises(procesos.Fallo, match="no se han podido corregir 1: b: no puedo"):
-        orden_.main()
+    sueltos = "x.cpp", "y.h", "z.frag"
+    for n in range(len(sueltos) + 1):  # y lo que se deja
+        siembra(tmp_path / "c", dict.fromkeys(sueltos[:n], ""))
+        with pytest.raises(procesos.Fallo, match="no se han podido corregir 1: b: no puedo"):
+            orden_.main()
+        assert re.findall("se dejan: (.*)", capsys.readouterr().err) == [", ".join(sueltos[:n])] * bool(n)
 
 
 MAL = {
@@ -818,12 +800,7 @@ def test_los_limites_de_la_jaula(tmp_path):
 
 
 TRANSFORMA = "giro", "traslacion({p.distancia, 0, 0})"
-INCLUYE = (
-    "util/cosas.h",
-    "otras.hpp",
-    "../../common/encima/colores.h",
-    "../../ch03_transformaciones/transformaciones.h",
-)
+INCLUYE = "util/cosas.h", "otras.hpp", "../../common/encima/colores.h", "../../ch03_transformaciones/transformaciones.h"
 A_PELO = """glutInit(&argc, argv);
     glutInitDisplayMode(GLUT_DOUBLE | GLUT_DEPTH);
     glutInitContextVersion(3, 1);
@@ -988,11 +965,8 @@ def comprueba_pagina(pagina, todas):
 
 def comprueba_imagenes(pagina):
     """Cada una es la que dice ser: la esperada, la de la solución; y la de quien gira al revés, con la otra tecla."""
-    hallado = re.search(
-        r'Para verlo: pulsa (.) 7 veces\..*?base64,(.*?)" alt="lo entregado.*?base64,(.*?)" alt="lo esperado',
-        pagina,
-        re.S,
-    )
+    lados = r'(?s)Para verlo: pulsa (.) 7 veces\..*?base64,(.*?)" alt="lo entregado.*?base64,(.*?)" alt="lo esperado'
+    hallado = re.search(lados, pagina)
     sin_rotulos = {**os.environ, **procesos.entorno(), "LAB_SIN_ENCIMA": "rotulo"}
     for tecla, imagen in ((hallado[1], 3), ({"a": "d", "d": "a"}[hallado[1]], 2)):
         solucion = [GRUA, "-geometry", "240x180", "-guion", f"tecla {tecla} ×7"]

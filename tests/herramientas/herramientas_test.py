@@ -7,11 +7,13 @@ import random
 import re
 import subprocess
 import sys
+import threading
 import time
 from importlib.machinery import SourceFileLoader
 from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
+from unittest.mock import Mock
 
 import pytest
 
@@ -21,8 +23,9 @@ from ejercicios import en_pagina, nuevo
 from ejercicios.corrige import entrega, shaders
 from galeria import dibuja
 from galeria.pagina import AQUI as GALERIA, MODULOS, PaginaGaleria
-from informe import cocientes, costes, informe, tecnicas
-from pruebas import dorado
+from informe import cocientes, costes, grafica, informe, tecnicas
+from pruebas import dorado, fallos
+from web import pagina as de_la_pagina, taller
 from windows import paquete
 from mentira import BUILD, RAIZ, siembra
 
@@ -127,6 +130,8 @@ def test_el_frente_de_pareto_y_la_elegida():
     assert optima == {"a": True, "b": None, "b, x": False, "bc": None, "e": True}
     assert [x.nombre for x in t.variantes if x.elegida] == ["b", "b, x"]
     assert [x.nombre for x in t.elegida_fuera] == ["b, x"]
+    no_se_sabe = [x.optima is not False for x in t.variantes if not x.elegida]  # y en la gráfica no va en gris
+    assert no_se_sabe == [grafica.color(x) == grafica.AZUL for x in t.variantes if not x.elegida]
 
 
 def test_las_columnas_de_un_tsv(tmp_path):
@@ -195,6 +200,13 @@ def test_en_rojo_va_lo_que_pasa(tmp_path):
     assert rojas == [[f"{ms[-1]}"] if ms[-1] > 100 else [] for ms in tardan]
 
 
+def test_la_meta_del_peor_es_del_peor():
+    for orden in itertools.permutations((1, 2, 3)):  # veces el suelo
+        tabla = [costes.Coste(f"p{v}", 1, 1, [v] * 9, [1, 1], 1, 1, 1, 1, []) for v in orden]
+        (_, mediana, *_), (que, peor, *_) = informe.metas([], tabla)
+        assert que.endswith("el peor, p3") and (mediana.mediana, peor.mediana) == (2, 3)
+
+
 def test_los_errores_de_un_programa(tmp_path):
     assert evidencia.errores({"maximo": 0.512, "borde": 1, "lejos": 2, "banda": 90}) == ["0.51", "", "1, salvo 2 de 90"]
     assert evidencia.errores({"rmse": 1.23e-7}) == ["", "1.2e-07", ""]
@@ -248,13 +260,48 @@ def test_lo_oculto_no_se_ensena(tmp_path, monkeypatch):
     (tmp_path / "galeria/datos.txt").write_text("\n".join(t for d in datos for t in d["esqueleto"].values()))
     escritos = "".join(f.read_text() for f in (tmp_path / "galeria").rglob("*.*"))
     se_lee = html.unescape(re.sub("<[^>]+>", "", escritos.replace('\\"', '"')))
-    hechas = {
-        linea.strip() for f in FUENTES for t in marcas.TROZO.finditer(f.read_text()) for linea in t["hecho"].split("\n")
-    }
+    trozos = [t["hecho"] for f in FUENTES for t in marcas.TROZO.finditer(f.read_text())]
+    hechas = {linea.strip() for hecho in trozos for linea in hecho.split("\n")}
     de_otros = "".join(marcas.esqueleto(f.read_text()) for f in FUENTES)
     de_mas = {linea for linea in hechas if len(linea) > 30 and linea in se_lee and linea not in de_otros}
     assert len(hechas) > 150 and not de_mas
     assert not set(codigos) & set(libro.Libro(raiz).respuestas) and libro.Libro(raiz).respuestas
+
+
+def test_lo_que_dice_la_galeria_de_cada_programa(monkeypatch, capsys):
+    """Con tres casos que no se pueden dibujar, ya lo estaban o se hacen, de cada manera: cuántas imágenes ha hecho, o
+    cuáles no y por qué; y en la página a medias, cuántos programas faltan."""
+    monkeypatch.setattr(dibuja, "CADA", -1)
+    for como in itertools.product((procesos.Fallo("mal\ny más"), False, True), repeat=3):
+        faltan, galeria = [], dibuja.Galeria.__new__(dibuja.Galeria)
+        galeria.turno, galeria.escrita, galeria.dibujados, galeria.programas = threading.Lock(), 0, 3, range(9)
+        galeria.pagina = SimpleNamespace(escribe=faltan.append)
+        galeria.dibuja = Mock(side_effect=como)
+        programa = catalogo.Programa(catalogo.Capitulo("ch01", ""), "p", "")
+        programa.casos = [catalogo.Caso(programa, f, f) for f in "abc"]
+        galeria.dibuja_programa(programa, None)
+        mal, n = [f"{f} ha fallado: mal" for f, que in zip("abc", como) if que not in (True, False)], como.count(True)
+        dice = "; ".join(mal) or (f"{n} {'imagen' if n == 1 else 'imágenes'}" if n else "sin cambios")
+        assert capsys.readouterr().err == f"[ 4/9] ch01/p: {dice}\n" and faltan == [5]
+
+
+def test_lo_que_ocupa_la_pagina_y_si_es_otra(tmp_path, monkeypatch, capsys):
+    """Lo que hay en su carpeta y en las de dentro; y con cualquier cambio en lo de compilar, es otra versión."""
+    todos = [taller.resumen([(f"f{i}", b"ab" if i == cual else b"a") for i in range(9)]) for cual in range(10)]
+    assert len({r["version"] for r in todos}) == 10 and [r["bytes"] for r in todos] == [10] * 9 + [9]
+    llena = lambda *_: siembra(tmp_path, {"index.html": "x" * 60_000, "datos/a/b.js": "x" * 1_040_000})
+    monkeypatch.setattr(de_la_pagina.Pagina, "escribe", llena)
+    monkeypatch.setattr(sys, "argv", ["x", *map(str, (RAIZ, BUILD, BUILD, tmp_path))])
+    de_la_pagina.main()
+    assert "(1.1 MB en total)" in capsys.readouterr().err
+
+
+def test_de_lo_que_falla_se_ve_lo_ultimo(tmp_path):
+    for largo in (0, fallos.MUCHO - 9, 3 * fallos.MUCHO):
+        caso = f'<testcase name="a" status="fail"><system-out>{"x" * largo} acaba</system-out></testcase>'
+        siembra(tmp_path, {"pruebas.xml": f"<a>{caso}</a>"})
+        (fallo,) = fallos.lee(tmp_path)
+        assert fallo.dice.endswith("acaba") and len(fallo.dice) <= fallos.MUCHO
 
 
 def test_una_imagen_se_rehace_si_cambia_algo_de_lo_que_lee(tmp_path, monkeypatch):
@@ -278,12 +325,8 @@ def test_una_imagen_se_rehace_si_cambia_algo_de_lo_que_lee(tmp_path, monkeypatch
 def test_de_varios_programas_acaba_mal_si_acaba_mal_alguno():
     for estados in itertools.product((0, 2), repeat=3):
         programas = [SimpleNamespace(nombre="x", titulo="X", estado=e) for e in estados]
-        fingido = SimpleNamespace(
-            elige=lambda *_: programas,
-            compila_elegidos=lambda *_: None,
-            t=SimpleNamespace(suelta=lambda: None),
-            ensena=lambda programa, *_: programa.estado,
-        )
+        fingido = SimpleNamespace(elige=lambda *_: programas, ensena=lambda programa, *_: programa.estado)
+        fingido.compila_elegidos, fingido.t = lambda *_: None, SimpleNamespace(suelta=lambda: None)
         que = SimpleNamespace(resto=[], vigila=False, programa="ch01")
         assert lab.Laboratorio.ver(fingido, que) == max(estados)
 
@@ -327,13 +370,11 @@ def test_de_un_pixel_se_dice_todo_hasta_un_limite():
         assert numeros(sin_nada, r": N(\d)$") == list(range(min(n, 3)))
         linea = {"fichero": "a.frag", "clase": "asigna", "funcion": "main"}
         lineas = [{**linea, "linea": i, "nombre": "v", "valor": [i, "nan" if i > 4 else 0]} for i in range(n)]
-        *dichas, raro = palabras.de_sombreado(
-            [*lineas, {**linea, "funcion": "luz", "linea": 99, "nombre": "z", "valor": ["inf"]}]
-        )
+        otra = {**linea, "funcion": "luz", "linea": 99, "nombre": "z", "valor": ["inf"]}
+        *dichas, raro = palabras.de_sombreado([*lineas, otra])
         assert numeros(dichas, r"^ {6}a.frag:(\d+): v = ") == list(range(min(n, 30)))
-        assert re.fullmatch(
-            rf" +lo primero que no es un número: a.frag:{'5: v = .5, NaN.' if n > 5 else '99: z = ∞'}", raro
-        )
+        primero = "5: v = .5, NaN." if n > 5 else "99: z = ∞"
+        assert re.fullmatch(f" +lo primero que no es un número: a.frag:{primero}", raro)
         leida = {"fichero": "a.frag", "escrito": "t", "motivo": "m", "coordenadas": [2, 0.5]}
         leidas = [{**leida, "linea": i, "valor": [i, 0, 1, 1]} for i in range(n)]
         suyo = {"historia": [], "lineas": [], "sombreado": {"lecturas": leidas}}
@@ -349,9 +390,8 @@ def test_una_cifra():
 
 def test_las_marcas_de_una_respuesta():
     hecha = libro.en_html("`a*b` y `c<d`, **uno** y **dos**, *tres* y *cuatro*, [x](y) y [z](t)")
-    assert (
-        hecha == "<code>a*b</code> y <code>c&lt;d</code>, <b>uno</b> y <b>dos</b>, <i>tres</i> y <i>cuatro</i>, x y z"
-    )
+    debe = "<code>a*b</code> y <code>c&lt;d</code>, <b>uno</b> y <b>dos</b>, <i>tres</i> y <i>cuatro</i>, x y z"
+    assert hecha == debe
 
 
 def test_los_fuentes_de_un_programa(tmp_path):
@@ -372,9 +412,8 @@ EN_BREVE = {
     "espera 0": "",
     "tecla d ×7": "pulsa d 7 veces",
     "tecla 2; especial ARRIBA ×4; espera 1500; tecla m": "pulsa 2 y ↑ 4 veces; espera 1.5 s; pulsa m",
-    "escala 4 3; boton IZQUIERDO abajo 1 2; arrastra 3 4; boton IZQUIERDO arriba 3 4; rueda -1 3 4": (
-        "arrastra para orbitar; gira la rueda hacia atrás"
-    ),
+    "escala 4 3; boton IZQUIERDO abajo 1 2; arrastra 3 4; boton IZQUIERDO arriba 3 4": "arrastra para orbitar",
+    "rueda -1 3 4": "gira la rueda hacia atrás",
     "boton DERECHO abajo 1 2; arrastra 3 4; boton IZQUIERDO abajo 1 2": "arrastra con el botón derecho; haz clic",
     "menu Vista/Perfil; mueve 1 2; mueve 3 4": "elige en el menú Vista → Perfil; mueve el ratón",
 }

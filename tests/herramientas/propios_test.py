@@ -1,9 +1,11 @@
 """Los ejercicios de quien enseña: uno hecho de la nada como dice docs/ejercicios.md, en un laboratorio de verdad; los
 defectos que se le plantan, que ./lab ejercicio comprueba nombra; y las reglas, que cada una cambia lo suyo."""
 import dataclasses
+import itertools
 import json
 import lzma
 import os
+import random
 import re
 import shutil
 import subprocess
@@ -53,12 +55,8 @@ def lab(tmp_path_factory):
 
 def test_uno_hecho_como_dice_el_documento(lab):
     """Sus órdenes, en su orden. La clase: quien no ha hecho nada, quien lo ha hecho y quien comete un error."""
-    assert ORDENES == [
-        "ejercicio comprueba ejercicios/molinete",
-        "nuevo ejercicios/molinete",
-        "ver mios/molinete",
-        "corrige clase ejercicios/molinete",
-    ]
+    hay = "ejercicio comprueba ejercicios", "nuevo ejercicios", "ver mios", "corrige clase ejercicios"
+    assert ORDENES == [f"{orden}/molinete" for orden in hay]
     uso = re.findall(r"^\./lab (.*?) +#", (RAIZ / "docs/uso.md").read_text(), re.M)
     assert {o for o in ORDENES if "ver" not in o} <= set(uso)
     dicho = lab(ORDENES[0])
@@ -137,9 +135,8 @@ def test_en_la_pagina_va_lo_que_se_reparte_y_no_la_solucion(tmp_path, monkeypatc
     assert len(pedido) == 6 and not [linea for linea in pedido if linea in va]
     reparte = {f"mios/molinete/{f}": t for f, t in nuevo.carpeta_de(RAIZ, programa, "molinete", "molinete").items()}
     assert reparte == datos["esqueleto"] | {f"mios/molinete/{f}": t for f, t in datos["sueltos"].items()}
-    assert (
-        resumen["oculto"] and resumen["que"] == "Un molinete" and [*resumen["pide"]] == ["mios/molinete/molinete.cpp"]
-    )
+    assert resumen["oculto"] and resumen["que"] == "Un molinete"
+    assert [*resumen["pide"]] == ["mios/molinete/molinete.cpp"]
     assert [g["pesa"] for g in datos["guiones"]] == [3, 3, 3, 1, 1] and datos["palabras"]["tecla g"] == "pulsa g"
 
 
@@ -286,25 +283,18 @@ void teclado(unsigned char tecla, int x, int y) {
     case ESC: p = {0, float(x - y)}; break;
     default: p.y -= luna().y;
     }
-    do {
-        p.x *= 2;
-    } while (p.x < 1e-3f);
+    do { p.x *= 2; } while (p.x < 1e-3f);
     try {
-        for (const char letra : cuerda + red)
-            p.y += letra;
-    } catch (const std::exception &error) {
-        p.y = -1;
-    }
+        for (const char letra : cuerda + red) p.y += letra;
+    } catch (const std::exception &error) { p.y = -1; }
     const auto corre = [&](float cuanto) { p.x += cuanto; return cuanto * 2; };
     glm::mat4 A(1), B(2), C = A * B;
     const glm::vec2 uno(p.x, 1), otro{1, p.y}, *donde = &uno;
     std::vector<std::pair<int, float>> lista = {{1, 2.5f}, {x, corre(3)}};
     if (const float d = glm::dot(uno, otro); d > 0 && !lista.empty())
         p.x = d > 1 ? donde->x / d : C[0][0] - d;
-    else
-        goto fin;
-fin:
-    enum { MIL = 1000 };
+    else goto fin;
+fin: enum { MIL = 1000 };
     lista.resize(MIL % 7);
 }"""
 
@@ -337,34 +327,25 @@ SALTOS = """void f(int tecla) {
             break; // salta
         case 'b':
             if (i > 2) {
-                x += 1;
-                break; // sobra: acaba el if, y tras él está el break de default
+                x += 1; break; // sobra: acaba el if, y tras él está el break de default
             }
         case 'z':
-        default:
-            break; // sobra
+        default: break; // sobra
         }
         if (tecla > 3) {
-            y += 1;
-            continue; // salta
+            y += 1; continue; // salta
         }
-        if (tecla > 4)
-            break; // salta
+        if (tecla > 4) break; // salta
         while (y > 2) {
-            y -= 1;
-            break; // salta
+            y -= 1; break; // salta
         }
-        if (tecla > 5)
-            continue; // sobra
+        if (tecla > 5) continue; // sobra
     }
     switch (tecla) {
-    case 1:
-        x += 2;
-        break; // salta
+    case 1: x += 2; break; // salta
     case 2: {
         for (;;)
-            if (x > 3)
-                break; // salta
+            if (x > 3) break; // salta
         break; // sobra
     }
     default:;
@@ -383,18 +364,13 @@ def test_por_lo_que_no_hace_nada_no_se_pregunta():
 # --- lo que no es un ejercicio ----------------------------------------------------------------------------------
 
 
+SON = {"lab/ejercicios": "uno", "fuera": "uno dos tres grua Mal a;b mio", "otra": "dos tres cuatro"}
+
+
 def test_lo_que_no_es_un_ejercicio(tmp_path):
     raiz, build = (tmp_path / "lab").resolve(), tmp_path / "build"
     programas = [catalogo.Programa(catalogo.Capitulo("ch01_x", "X"), "grua", "E1.1", "Grúa")]
-    for carpeta in (
-        "lab/ejercicios/uno",
-        "fuera/uno",
-        "fuera/dos",
-        "fuera/grua",
-        "fuera/Mal",
-        "fuera/a;b",
-        "fuera/mio",
-    ):
+    for carpeta in (f"{en}/{n}" for en, de in SON.items() for n in de.split()):
         nombre = Path(carpeta).name
         siembra(tmp_path / carpeta, {f"{nombre}.cpp": "", **({"ejercicio.txt": ""} if nombre == "mio" else {})})
     (tmp_path / "fuera/vacia").mkdir()
@@ -404,18 +380,12 @@ def test_lo_que_no_es_un_ejercicio(tmp_path):
         return propios.busca(raiz, build, que, programas)
 
     assert [busca(q) for q in ("uno", "ejercicios/uno", "grua", "E1.1", "nada")] == ["uno", "uno", "", "", ""]
-    assert busca(f"{tmp_path}/fuera/dos/") == "dos" == busca("dos") and propios.apuntadas(build) == [
-        tmp_path / "fuera/dos"
-    ]
-    for cual, dice in (
-        ("./no", "no hay ninguna carpeta"),
-        ("fuera/vacia", "falta vacia.cpp"),
-        ("fuera/grua", "ya hay un programa"),
-        ("fuera/Mal", "no vale de nombre"),
-        ("fuera/a;b", "no vale de nombre"),
-        ("fuera/mio", "es de quien aprende"),
-        ("fuera/uno", "ya hay un ejercicio"),
-    ):
+    assert busca(f"{tmp_path}/fuera/dos/") == "dos"
+    for cual, dice in {
+        **{"./no": "no hay ninguna carpeta", "fuera/vacia": "falta vacia.cpp", "fuera/grua": "ya hay un programa"},
+        **{"fuera/Mal": "no vale de nombre", "fuera/a;b": "no vale de nombre", "fuera/mio": "es de quien aprende"},
+        "fuera/uno": "ya hay un ejercicio",
+    }.items():
         with pytest.raises(Fallo, match=dice) as fallo:
             busca(f"{tmp_path}/{cual}")
         assert "\n" not in str(fallo.value)
@@ -428,10 +398,39 @@ def test_lo_que_no_es_un_ejercicio(tmp_path):
     for roto, dice in (("roto", "casos.txt:1: es «nombre: guion»"), ("uno", "otro.h no está en UTF-8")):
         with pytest.raises(Fallo, match=dice):
             propios.lee(raiz, build, roto)
-    (tmp_path / "otra").mkdir()
-    shutil.move(tmp_path / "fuera/dos", tmp_path / "otra/dos")  # cambia de sitio: vale la última ruta
-    assert busca("dos") == "" and busca(f"{tmp_path}/otra/dos") == "dos"
-    assert propios.apuntadas(build) == [tmp_path / "otra/dos"]
+    azar, ultima = random.Random(1), {"dos": "fuera"}
+    for _ in range(30):  # de cada nombre vale la última ruta, y no se olvida ninguno
+        en, nombre = azar.choice(["fuera dos", "fuera tres", "otra dos", "otra tres", "otra cuatro"]).split()
+        ultima[nombre] = en
+        assert busca(f"{tmp_path}/{en}/{nombre}") == busca(nombre) == nombre
+        assert sorted(propios.apuntadas(build)) == sorted(tmp_path / e / n for n, e in ultima.items())
+    shutil.rmtree(tmp_path / ultima["dos"] / "dos")
+    assert busca("dos") == ""
+
+
+RAROS = "tecla +", "tecla -", "tecla Á", "tecla a", "←", "→", "a/b", "a b", "a b otro", "¿?"
+
+
+def test_cada_caso_tiene_su_imagen(tmp_path):
+    casos = "".join(f"{titulo}: tecla g\n" for titulo in RAROS)
+    imagenes = [*map(nuevo.imagen_de, propios.propio(escribe(tmp_path / "molinete", casos_txt=casos)).casos)]
+    assert len({*imagenes}) == len(RAROS) and all(re.fullmatch(r"[a-z0-9]\w*\.png", i) for i in imagenes)
+
+
+def test_un_enunciado_en_la_pagina():
+    """En cualquier orden, seguidos o no: cada palabra, y cada cosa de una lista, una vez."""
+    trozos = "Un `texto`\nque sigue", "- una", "- otra\n  que sigue\n- y otra", "## Otro"
+    for orden, entre in itertools.product(itertools.permutations(trozos, 3), ("\n\n", "\n")):
+        hecho, texto = en_pagina.en_html("# Título\n\n" + entre.join(orden)), entre.join(orden)
+        assert re.sub("<.*?>", " ", hecho).split() == re.sub("^(- |## )|`", "", texto, flags=re.M).split(), texto
+        assert hecho.count("<li>") == len(re.findall("^- ", texto, re.M)) and "</ul><ul>" not in hecho, texto
+
+
+def test_un_ejercicio_esta_para_darlo_si_todo_esta_bien(monkeypatch):
+    for como in itertools.product(([], ["x"]), repeat=3):
+        monkeypatch.setattr(comprueba, "preguntas", lambda *_: [("p", "1", mal) for mal in como])
+        dado = comprueba.comprueba(RAIZ, BUILD, "E1.1", None)
+        assert [re.search(r": (\d) de", d)[1] for d in dado] == [str(como.count(["x"]))] * any(como)
 
 
 def test_lo_que_se_da_y_lo_que_no(tmp_path):
@@ -487,6 +486,13 @@ CAMBIA = {  # lo que cambia cada una
     "semillas": set(),
     "escala": set(),
 }
+
+
+def test_lo_que_pesa_una_pieza():
+    """Como si estuviera tantas veces."""
+    for *pesos, otra in itertools.product((1, 2, 5), (1, 3), (0, 0.5, 1)):
+        una = Reglas(pesos=" ".join(map(str, pesos))).junta(0.3, [otra, 0.2])
+        assert una == pytest.approx(Reglas().junta(0.3, [otra] * pesos[0] + [0.2] * pesos[1]))
 
 
 def test_cada_regla_cambia_lo_suyo(tmp_path):

@@ -38,9 +38,8 @@ def pedidos(admite):
     for fila in MAL[admite].strip().splitlines() if admite else ():
         da, estado, dice = map(str.strip, fila.split("|"))
         veces = 2 if admite == "imagenes" and da[0] != "=" else 1
-        yield [w for palabra in shlex.split(da.lstrip("=")) for w in [palabra] * (veces if "." in palabra else 1)], int(
-            estado
-        ), dice
+        palabras = [w for p in shlex.split(da.lstrip("=")) for w in [p] * (veces if "." in p else 1)]
+        yield palabras, int(estado), dice
 
 
 def dados(p):

@@ -11,9 +11,8 @@ NUMERO = r"\d+(?:\.\d+)?"
 def numeros_de(lineas):
     """Los que hay en esas líneas, y cuántos hay en cada lista: «5, 6» son dos, y «ninguna», cero."""
     listas = [linea.rpartition(":")[2].split(",") for linea in lineas]
-    return set(re.findall(NUMERO, " ".join(lineas))) | {
-        "0" if "ningun" in lista[0] else str(len(lista)) for lista in listas
-    }
+    cuantos = {"0" if "ningun" in lista[0] else str(len(lista)) for lista in listas}
+    return cuantos.union(re.findall(NUMERO, " ".join(lineas)))
 
 
 def dicho(p):

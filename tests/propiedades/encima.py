@@ -22,8 +22,6 @@ def lee(fichero):
         color, panel, talla, _, puntos, texto = campos
         xyz = [float(v) for v in puntos.split()]
         donde = tuple(map(int, panel.split()))
-        suya = Pincelada(
-            tipo, tuple(map(float, color.split())), donde, float(talla), list(zip(xyz[::3], xyz[1::3])), texto
-        )
-        imagenes[-1].append(suya)
+        rgb, puntos = tuple(map(float, color.split())), list(zip(xyz[::3], xyz[1::3]))
+        imagenes[-1].append(Pincelada(tipo, rgb, donde, float(talla), puntos, texto))
     return imagenes

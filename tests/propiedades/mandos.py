@@ -157,9 +157,8 @@ def comunes(p):
     """Lo que cambia con el tiempo se anima; F1 pone la ayuda, que es lo que dice «// Controles:», y la quita; F12
     guarda y lo dice, y Esc termina: tras él no hay fila; lo que sobra se dice. Lo que hace common/ solo, en uno de cada
     capítulo."""
-    antes, nada, puesta, quitada, guardada, *mas = p.diario(
-        ["espera 960", "especial F1", "especial F1", "especial F12", "tecla Esc"]
-    )
+    guion = ["espera 960", "especial F1", "especial F1", "especial F12", "tecla Esc"]
+    antes, nada, puesta, quitada, guardada, *mas = p.diario(guion)
     if nada.distinta(antes) and not p.anima:
         yield "tiempo", "cambia con el tiempo y nadie pide que se vuelva a dibujar"
     if puesta.imagen == nada.imagen or quitada.imagen != nada.imagen or puesta.titulo != nada.titulo:

@@ -19,9 +19,8 @@ def pausa(p):
     anda = [] if luego.distinta(nada) else ["tecla Espacio"]
     seguido = p.diario([*anda, "espera 960"])[-1]
     otra_pausa = ["tecla Espacio", "espera 640", "tecla Espacio", "espera 320"]
-    filas = p.diario([*anda, "espera 320", "tecla Espacio", "espera 4960", "tecla Espacio", "espera 320", *otra_pausa])[
-        len(anda) :
-    ]
+    guion = [*anda, "espera 320", "tecla Espacio", "espera 4960", "tecla Espacio", "espera 320", *otra_pausa]
+    filas = p.diario(guion)[len(anda) :]
     if filas[2].titulo == filas[1].titulo:
         yield "título", "el título no dice que está en pausa"
     if filas[3].se_ve() != filas[2].se_ve():

@@ -99,9 +99,8 @@ def cerca(p):
     """De lo más cerca que lleva la rueda, desde cualquier lado, el plano de cerca no corta nada."""
     if "rueda" not in p.rasgos:
         return
-    guion = ["rueda +1 60 45 ×20", "captura"] + [
-        o for grupo in eligen(p) for tecla in grupo for o in (tecla, "captura")
-    ]
+    teclas = [tecla for grupo in eligen(p) for tecla in grupo]
+    guion = ["rueda +1 60 45 ×20", "captura", *(o for tecla in teclas for o in (tecla, "captura"))]
     for sube in (-22, -19, 82):
         guion += [*arrastre(60, 45, 60, 45 + sube), "captura"]
         guion += [*arrastre(34, 45, 86, 45), "captura"] * 6

@@ -23,9 +23,8 @@ VIEJA = 86400  # segundos que se guarda lo jugado por otra versión
 
 def guiones(raiz, build, programa, ref, semilla, reglas, entorno):
     """Los que juegan todos, si valen algo: los casos y los que son al azar."""
-    casos = (
-        shaders.guiones(raiz, build, programa, entorno) if nuevo.es_de_shaders(ref) else partidas.de_los_casos(programa)
-    )
+    de_shaders = nuevo.es_de_shaders(ref)
+    casos = shaders.guiones(raiz, build, programa, entorno) if de_shaders else partidas.de_los_casos(programa)
     azar = partidas.al_azar(raiz, build, programa, f"{ref} {semilla}", reglas.guiones, entorno)
     return [g for g in (*casos, *azar) if reglas.peso(g)]
 

@@ -178,12 +178,12 @@ def escribe(destino, correcciones, banco, leidas, hoja=None):
         vuelven |= dict.fromkeys(de_vuelta(h.carpeta, hoja), pagina)
     if vuelven:
         escribe_fichero(destino / "comentarios.zip", en_zip(vuelven))
+    for de_antes in "parecidos.html", "proyectar.html":  # que ahora puede no haber
+        (destino / de_antes).unlink(missing_ok=True)
     parejas, hay_mas = las_que_se_parecen(hechas, leidas, banco.dados)
     datos = {"programa": banco.programa, "ref": banco.ref, "parejas": parejas, "hay_mas": hay_mas}
     if parejas:
         escribe_fichero(destino / "parecidos.html", paginas.plantilla(AQUI / "parecidos.html").render(**datos))
-    elif (destino / "parecidos.html").exists():
-        (destino / "parecidos.html").unlink()
     todas = list(hechas.values())
     hay = errores(todas)
     datos |= {"de_varios": [e for e in hay if e.de[1:]], "de_uno": [e for e in hay if not e.de[1:]], "hechas": todas}

@@ -8,16 +8,7 @@ from pathlib import Path, PurePath
 from base.fuentes import SHADERS
 from base.procesos import Fallo
 from ejercicios import nuevo
-from ejercicios.corrige.lector import (
-    CODIGO,
-    COMPILADOS,
-    Lector,
-    Rechazo,
-    basura,
-    de_carpeta,
-    lee_fichero,
-    tipo,
-)
+from ejercicios.corrige.lector import CODIGO, COMPILADOS, Lector, Rechazo, basura, de_carpeta, lee_fichero, tipo
 
 PROGRAMAS = 3  # con main, que se intentan
 MAIN = re.compile(rb"\bmain\s*\(")

@@ -39,6 +39,7 @@ BASURA = re.compile(
 
 ESPANOL = set("áéíóúüñçàèòïÁÉÍÓÚÜÑÇÀÈÒÏºª·¿¡")
 ENTRADA = b"PK\x01\x02"  # con que empieza cada fichero en el índice de un .zip
+GZIP = b"\x1f\x8b"  # y cualquier cosa comprimida con gzip
 TURNO = threading.Lock()  # un .zip no lo pueden leer varios a la vez
 
 
@@ -188,16 +189,18 @@ def de_dentro(nombre, lee, debajo):
 
 def de_tar(datos, debajo=()):
     """Y lo de un .tar, que ya está en memoria: los ficheros corrientes."""
-    with tarfile.open(fileobj=io.BytesIO(datos)) as t:
+    with tarfile.open(fileobj=io.BytesIO(datos), mode="r:") as t:
         for miembro in itertools.islice(t, CLASE // 4):
             if miembro.isreg() and not miembro.issparse():  # lo que no está escrito puede ser enorme
                 suyos = datos[miembro.offset_data : miembro.offset_data + miembro.size]
+                if len(suyos) < miembro.size:
+                    raise ValueError("está cortado")
                 yield from de_dentro(miembro.name, functools.partial(corto, suyos), debajo)
 
 
 def sin_comprimir(datos, nombre):
-    """Un .zip o un .tar; de uno comprimido, hasta un límite."""
-    if tipo(nombre) in (".zip", ".tar"):
+    """Un .zip o un .tar; de uno comprimido, que muchos también llaman .tar, hasta un límite."""
+    if tipo(nombre) == ".zip" or not datos.startswith(GZIP):
         return datos
     with cuidado(nombre), gzip.open(io.BytesIO(datos)) as f:
         return corto(f.read(COMPRIMIDO + 1), limpio(nombre), COMPRIMIDO)

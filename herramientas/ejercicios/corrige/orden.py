@@ -130,6 +130,10 @@ def main():
         raise Fallo(f"{que.entrega} es una copia de {programa.nombre}: no hay ejercicio que corregir")
     if que.moodle and not dentro:
         raise Fallo(f"--moodle es de una clase, y {que.entrega} es una entrega")
+    if dentro and (opcion := "--json" if que.json else "--vpl" if que.vpl else ""):
+        raise Fallo(f"{opcion} es de una entrega, y {que.entrega} es una clase: de cada una ya queda su JSON")
+    if que.cambia_notas and not que.moodle:
+        raise Fallo("--cambia-notas es de --moodle HOJA.csv, que falta")
     if repartido:
         otro = next(p for p in programas if not p.consola)  # como él se compila
     if que.programa:

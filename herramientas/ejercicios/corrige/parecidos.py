@@ -186,9 +186,8 @@ def parejas(entregas, dadas=(), basta=BASTA):
     tiene cualquiera."""
     de_otros = de_fuera(dadas)
     de_todos = set().union(*(senas(textos, de_otros) for textos in dadas))
-    donde = {
-        q: {s: d for s, d in senas(textos, de_otros).items() if s not in de_todos} for q, textos in entregas.items()
-    }
+    suyas = {quien: senas(textos, de_otros) for quien, textos in entregas.items()}
+    donde = {quien: {s: d for s, d in hay.items() if s not in de_todos} for quien, hay in suyas.items()}
     veces = Counter(sena for hay in donde.values() for sena in hay)
     muchas = max(COMUN[0], len(entregas) // COMUN[1])
     peso = {s: 1 / max(1, n - 1) for s, n in veces.items() if n <= muchas}  # lo que hacen varios dice menos
