@@ -47,7 +47,9 @@ def explicado(build, carpeta, pixel, entorno):
     """Lo que da ./lab explica y lo que escribe; si no acaba bien, lo que dice."""
     orden = [sys.executable, "-B", RAIZ / "herramientas", "explica.orden", RAIZ, build, carpeta]
     suyo = ["casos", "usos", "usos", "Usos", *map(str, pixel), "--json", carpeta / "e.json"]
-    r = subprocess.run([*orden, *suyo], env={**os.environ, **entorno}, capture_output=True, text=True)
+    r = subprocess.run(
+        [*orden, *suyo], env={**os.environ, **entorno, "LAB_EXPLICA_SUMAS": "1"}, capture_output=True, text=True
+    )
     if r.returncode:
         return None, f"acaba con {r.returncode}: {r.stderr.strip()}"
     return json.loads((carpeta / "e.json").read_text()), r.stdout
@@ -72,6 +74,13 @@ def fallos_de_texels(cuadro, canales):
             yield from explica.fallos_de_sombreado(texel)
 
 
+def no_puede_ser(dicha, cuadro):
+    """Lo que se dice con números no se desmiente solo."""
+    dibujan = sum("cableado" in o for o in cuadro["ordenes"])
+    otras = [(n, dibujan - 1) for n in re.findall(r"otras (\d+), por lo mismo", dicha)]
+    return any(int(n) > int(de) for n, de in [*re.findall(r"(\d+) de \w+ (\d+)", dicha), *otras])
+
+
 def fallos_de(build, base, uso, debe):
     with tempfile.TemporaryDirectory() as carpeta:
         carpeta, entorno = Path(carpeta), {"BASE": base, "USO": uso}
@@ -86,15 +95,11 @@ def fallos_de(build, base, uso, debe):
     if not cuadro:
         return [dice]
     dichas = [f"{s['dice']}. {s['prueba']}" for s in cuadro["sospechas"]]
-    dibujan = sum("nada" in o for o in cuadro["ordenes"])
-    for dicha in dichas:
-        otras = [(n, dibujan - 1) for n in re.findall(r"otras (\d+), por lo mismo", dicha)]
-        if any(int(n) > int(de) for n, de in [*re.findall(r"(\d+) de \w+ (\d+)", dicha), *otras]):
-            return [f"no puede ser: {dicha}"]
+    fallos = [f"no puede ser: {dicha}" for dicha in dichas if no_puede_ser(dicha, cuadro)]
     if debe:
-        return [] if any(re.search(debe, dicha) for dicha in dichas[:1]) else [f"falta «{debe}» en {dichas}"]
+        return fallos if any(re.search(debe, dicha) for dicha in dichas[:1]) else [f"falta «{debe}» en {dichas}"]
     canales = explica.canales_de(cuadro)
-    fallos = [f"se sospecha: {d}" for d in dichas] + list(explica.fallos_de_pixel(cuadro, imagen, canales))
+    fallos += [f"se sospecha: {d}" for d in dichas] + list(explica.fallos_de_pixel(cuadro, imagen, canales))
     fallos += [*fallos_de_texels(cuadro, canales), *preguntado.fallos(cuadro, suyas)]
     if len(cuadro["historia"]) < 2:
         fallos.append("nada cubre el píxel")

@@ -186,6 +186,8 @@ def fallos_de_lectura(lectura):
     suma = [sum(t["peso"] * t["color"][c] for t in texels) for c in range(4)]
     contraste = max((max(c) - min(c) for c in zip(*(t["color"] for t in texels))), default=0)
     lejos = distancia(suma, lectura["valor"]) > 1.1 / 255 + contraste / 128 + 1e-6 if texels else True
+    if lectura["escrito"].count("(") != lectura["escrito"].count(")"):
+        yield f"«{lectura['escrito']}» no está entero"
     if lectura.get("cara"):
         eje = max(range(3), key=lambda k: abs(lectura["coordenadas"][k]))
         if lectura["cara"] != "+−"[lectura["coordenadas"][eje] < 0] + "XYZ"[eje]:
