@@ -140,13 +140,13 @@ def fallos_de_caso(build, fila):
         r = subprocess.run(orden, env={**os.environ, **entorno}, cwd=carpeta, capture_output=True, text=True)
         if r.returncode:
             return [f"{cuerpo}: {r.stderr}"]
-        [pixel] = json.loads(Path(carpeta, "e.json").read_text(), parse_int=float)["pixeles"]  # -0 no es 0
-    fragmento = pixel["sombreado"]["fragmento"]
+        cuadro = json.loads(Path(carpeta, "e.json").read_text(), parse_int=float)  # -0 no es 0
+    fragmento = cuadro["pixeles"][0]["sombreado"]["fragmento"]
     for linea in (linea for que in ("lineas", "sinSeguir") for linea in fragmento[que]):
         linea["linea"] = int(linea["linea"])
     hay = cuenta(fragmento["lineas"])
     debe = re.sub(r"(?<=[:,])-?\d+(?=[ ,]|$)", lambda n: f"{float(n[0]):.9g}", pasa)  # las cifras que se dan
-    bien = hay.endswith(debe[1:]) if debe[0] == "…" else hay == debe
+    bien = fuente == cuadro["programas"][0]["frag"] and (hay == debe or debe[0] == "…" and hay.endswith(debe[1:]))
     dichas = [f"{s['linea']}: {s['motivo']}" for s in fragmento["sinSeguir"]]
     return [] if bien and dichas == [no_se_sabe] * bool(no_se_sabe) else [f"{cuerpo}: {hay} {dichas} y no {debe}"]
 

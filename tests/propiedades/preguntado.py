@@ -101,7 +101,7 @@ def fallos_de_cableado(cableado, suya, textos):
         if not iguales(dicho, suya["atributo"][nombre]):
             yield f"{a} y es {suya['atributo'][nombre]}"
     for nombre, hay in suya["uniform"].items():
-        if not iguales(uniformes[nombre]["valor"], hay[: len(uniformes[nombre]["valor"])]):
+        if not iguales(uniformes[nombre]["valor"], hay[: len(uniformes[nombre]["valor"]) or 1]):
             yield f"{uniformes[nombre]} y es {hay}"
     for t in (t for t in cableado["texturas"] if t["objetivo"] == "GL_TEXTURE_2D"):
         dicho = [t["textura"], *t["talla"], *numeros("{formato} {reduce} {amplia} {repite}".format(**t))]
