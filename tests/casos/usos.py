@@ -114,7 +114,7 @@ def fallos_de(build, base, uso, debe):
 
 
 def cuenta(lineas):
-    """«3 x:1.5 y:2 | 4 x:2»: en la línea 3 x vale 1.5; la línea se dice cuando cambia; se entra en f, «>f», y «<f» da."""
+    """«3 x:1.5 y:2 | 4 >f <f:2»: en la 3, x vale 1.5; en la 4 se entra en f y da 2. La línea se dice cuando cambia."""
     partes, antes = [], None
     for linea in lineas:
         clase, nombre = linea["clase"], linea["nombre"]
