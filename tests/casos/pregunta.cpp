@@ -3,7 +3,6 @@
 // números y sin decidir nada, para comparar lo uno con lo otro (propiedades/preguntado.py).
 #define GL_GLEXT_PROTOTYPES
 #include <GL/gl.h>
-#include <GL/glext.h>
 #include <cstdint>
 #include <cstdlib>
 #include <dlfcn.h>

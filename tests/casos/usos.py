@@ -3,9 +3,8 @@ través de ./lab explica, que debe acabar bien y:
 
 - de un error, nombrarlo en su primera sospecha;
 - de lo legal, no sospechar nada, seguir todas sus líneas y cumplir en el píxel dibujado más cercano al centro lo mismo
-  que en los programas del laboratorio (propiedades/explica.py).
-
-Y en cada caso de explica/casos.inc, apuntar lo que pasa y decir lo que no se sabe seguir.
+  que en los programas del laboratorio (propiedades/explica.py);
+- de cada caso de explica/casos.inc, apuntar lo que pasa y decir lo que no se sabe seguir.
 
 Estado 1 si algo no se cumple.
 """
@@ -74,13 +73,6 @@ def fallos_de_texels(cuadro, canales):
             yield from explica.fallos_de_sombreado(texel)
 
 
-def no_puede_ser(dicha, cuadro):
-    """Lo que se dice con números no se desmiente solo."""
-    dibujan = sum("cableado" in o for o in cuadro["ordenes"])
-    otras = [(n, dibujan - 1) for n in re.findall(r"otras (\d+), por lo mismo", dicha)]
-    return any(int(n) > int(de) for n, de in [*re.findall(r"(\d+) de \w+ (\d+)", dicha), *otras])
-
-
 def fallos_de(build, base, uso, debe):
     with tempfile.TemporaryDirectory() as carpeta:
         carpeta, entorno = Path(carpeta), {"BASE": base, "USO": uso}
@@ -95,7 +87,9 @@ def fallos_de(build, base, uso, debe):
     if not cuadro:
         return [dice]
     dichas = [f"{s['dice']}. {s['prueba']}" for s in cuadro["sospechas"]]
-    fallos = [f"no puede ser: {dicha}" for dicha in dichas if no_puede_ser(dicha, cuadro)]
+    dibujan = sum("cableado" in o for o in cuadro["ordenes"])
+    partes = re.findall(r"(\d+) de \w+ (\d+)", f"{dichas}".replace(", por lo mismo", f" de esas {dibujan - 1}"))
+    fallos = [f"{n} de {de}, en {dichas}" for n, de in partes if int(n) > int(de)]
     if debe:
         return fallos if any(re.search(debe, dicha) for dicha in dichas[:1]) else [f"falta «{debe}» en {dichas}"]
     canales = explica.canales_de(cuadro)
@@ -134,10 +128,10 @@ def fallos_de_caso(build, fila):
     inicio = "#version 140\nuniform int uno; uniform float medio; out vec4 o; "
     fuente = f"{inicio}{de_global}\n#line 2\n\nvoid main() {{ {cuerpo}\n}}\n"
     with tempfile.TemporaryDirectory() as carpeta:
-        entorno = {"LD_PRELOAD": build / "herramientas/explica/libexplica.so", "USO": "caso", "CASO": fuente}
-        entorno |= {"LAB_EXPLICA": "e.json", "LAB_EXPLICA_PIXELES": "1,178", "LAB_EXPLICA_SOMBREA": "2,0"}
-        orden = [build / "osmesa/casos/usos"]
-        r = subprocess.run(orden, env={**os.environ, **entorno}, cwd=carpeta, capture_output=True, text=True)
+        delante = build / "herramientas/explica/libexplica.so"
+        entorno = {**os.environ, "LD_PRELOAD": delante, "USO": "caso", "CASO": fuente, "LAB_EXPLICA": "e.json"}
+        entorno |= {"LAB_EXPLICA_PIXELES": "1,178", "LAB_EXPLICA_SOMBREA": "2,0"}
+        r = subprocess.run(build / "osmesa/casos/usos", env=entorno, cwd=carpeta, capture_output=True, text=True)
         if r.returncode:
             return [f"{cuerpo}: {r.stderr}"]
         cuadro = json.loads(Path(carpeta, "e.json").read_text(), parse_int=float)  # -0 no es 0

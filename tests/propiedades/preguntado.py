@@ -1,6 +1,6 @@
 """Lo que ./lab explica dice de cada orden, contra lo que OpenGL contesta a quien le pregunta por todo, en números
-(casos/pregunta.cpp): cada constante vale lo que en las cabeceras de OpenGL, cada tipo es el que está escrito en el shader
-y no falta ninguna orden."""
+(casos/pregunta.cpp): cada constante vale lo que en las cabeceras de OpenGL, cada tipo es el que está en el shader y no
+falta ninguna orden."""
 import os
 import re
 import subprocess
@@ -20,9 +20,8 @@ ESTADO = {  # lo que se pregunta para cada cosa, y cuántos números es
     "glPolygonMode": "POLYGON_MODE×1",
     "GL_POLYGON_OFFSET_FILL": "POLYGON_OFFSET_FACTOR×1 POLYGON_OFFSET_UNITS×1",
 }
-SUELTAS = "CULL_FACE SCISSOR_TEST STENCIL_TEST DEPTH_TEST BLEND POLYGON_OFFSET_FILL PRIMITIVE_RESTART COLOR_WRITEMASK "
-SUELTAS += "DEPTH_WRITEMASK VERTEX_ARRAY_BINDING DRAW_FRAMEBUFFER_BINDING"
-SE_PREGUNTAN = [*re.findall(r"(\w+)×", " ".join(ESTADO.values())), *SUELTAS.split()]
+SUELTAS = "PRIMITIVE_RESTART COLOR_WRITEMASK DEPTH_WRITEMASK VERTEX_ARRAY_BINDING DRAW_FRAMEBUFFER_BINDING"
+SE_PREGUNTAN = re.findall(r"\b[A-Z_]{4,}", " ".join([*ESTADO, *ESTADO.values(), SUELTAS]).replace("GL_", ""))
 PRUEBAS = {"recorte": "SCISSOR_TEST", "plantilla": "STENCIL_TEST", "quita": "CULL_FACE", "mezcla": "BLEND"}
 BORRA = {"color": 0x4000, "profundidad": 0x100, "plantilla": 0x400}
 CUANTAS = "n", "n // 2", "n * (n > 1)", "n - 1", "n // 3", "n - 2", "n - 2"  # primitivas, de cada modo
@@ -115,8 +114,7 @@ def fallos_de_cableado(cableado, suya, textos):
 
 def fallos(cuadro, suyas):
     """`suyas`: las que da pregunta, del mismo cuadro."""
-    tapadas = "glClear", "glDrawArrays", "glDrawElements"
-    dichas = [o for o in cuadro["ordenes"] if o["llamada"].split("(")[0] in tapadas]
+    dichas = [o for o in cuadro["ordenes"] if re.match(r"(glClear|glDrawArrays|glDrawElements)\(", o["llamada"])]
     if len(suyas) != len(dichas):
         yield f"se dicen {len(dichas)} órdenes de {len(suyas)}"
     textos = {p["programa"]: str(p.get("vert", "")) + str(p.get("frag", "")) for p in cuadro["programas"]}
