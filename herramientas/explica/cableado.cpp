@@ -172,16 +172,6 @@ Textura textura(GLuint programa, const Variable &v, const Objetivo &o, bool conS
     return t;
 }
 
-// En cuáles de esos shaders se nombra; de «luz.Lp» y de «pesos[2]», por su principio.
-std::vector<std::string> etapasDe(const std::vector<Fuente> &fuentes, const std::string &nombre) {
-    const std::string suyo = nombre.substr(0, nombre.find_first_of(".["));
-    std::vector<std::string> etapas;
-    for (const Fuente &f : fuentes)
-        if (nombra(f.texto, suyo))
-            etapas.push_back(f.tipo == GL_VERTEX_SHADER ? "vert" : "frag");
-    return etapas;
-}
-
 } // namespace
 
 std::size_t bytesDe(GLenum tipo) {
@@ -209,15 +199,14 @@ Cableado cableadoActual(bool sumas) {
     }
     if (sumas && entero(GL_ELEMENT_ARRAY_BUFFER_BINDING))
         c.sumaIndices = sumaDe(deBufer(entero(GL_ELEMENT_ARRAY_BUFFER_BINDING)));
-    const std::vector<Fuente> fuentes = fuentesDe(programa);
     for (const Variable &v : uniformsDe(programa)) {
         const std::string primero =
             v.nombre.substr(0, v.nombre.rfind('[')) + "[0]"; // un array se da desde el primero
         const bool lista = v.nombre.back() == ']';
         const GLint desde = lista ? glGetUniformLocation(programa, primero.c_str()) : v.donde;
         const GLint dado = seHaDado(programa, v.donde) ? v.donde : desde;
-        c.uniformes.push_back({v, valorDe(programa, v), etapasDe(fuentes, v.nombre), seHaDado(programa, dado),
-                               malDado(programa, v), pilaDelEnvio(programa, dado)});
+        c.uniformes.push_back({v, valorDe(programa, v), seHaDado(programa, dado), malDado(programa, v),
+                               pilaDelEnvio(programa, dado)});
         const auto o = std::find_if(std::begin(OBJETIVOS), std::end(OBJETIVOS),
                                     [&](const Objetivo &otro) { return otro.sampler == v.tipo; });
         if (o != std::end(OBJETIVOS))
@@ -246,7 +235,6 @@ Json deCableado(const Cableado &c) {
         uniformes.push_back({{"nombre", u.variable.nombre},
                              {"tipo", tipoDe(u.variable.tipo)},
                              {"valor", u.valor},
-                             {"etapas", u.etapas},
                              {"dado", u.dado},
                              {"pila", u.pila}});
     for (const Textura &t : c.texturas) {

@@ -23,10 +23,9 @@ struct Atributo {
 struct Uniforme {
     Variable variable;
     std::vector<double> valor;
-    std::vector<std::string> etapas; // los shaders en que está: «vert», «frag»
-    bool dado = true;                // si alguien le ha dado un valor
-    std::string malDado = "";        // la función con que se le ha dado, si no es la suya
-    int pila = -1;                   // desde dónde se le ha dado
+    bool dado = true;         // si alguien le ha dado un valor
+    std::string malDado = ""; // la función con que se le ha dado, si no es la suya
+    int pila = -1;            // desde dónde se le ha dado
 };
 
 struct Textura {

@@ -39,14 +39,23 @@ const Tabla TIPOS =
     tabla("float, vec2, vec3, vec4, int, ivec2, ivec3, ivec4, uint, uvec2, uvec3, uvec4, bool, bvec2, bvec3, "
           "bvec4, mat2, mat3, mat4, mat2x3, mat2x4, mat3x2, mat3x4, mat4x2, mat4x3, sampler1D, sampler2D, "
           "sampler3D, samplerCube, sampler2DShadow, sampler2DRect, sampler2DArray, samplerBuffer, "
-          "isampler2D, usampler2D",
+          "sampler1DArray, sampler1DShadow, sampler1DArrayShadow, sampler2DArrayShadow, sampler2DRectShadow, "
+          "isampler1D, isampler2D, isampler3D, isamplerCube, isampler1DArray, isampler2DArray, isampler2DRect, "
+          "isamplerBuffer, usampler1D, usampler2D, usampler3D, usamplerCube, usampler1DArray, usampler2DArray, "
+          "usampler2DRect, usamplerBuffer",
           {GL_FLOAT, GL_FLOAT_VEC2, GL_FLOAT_VEC3, GL_FLOAT_VEC4, GL_INT, GL_INT_VEC2, GL_INT_VEC3,
            GL_INT_VEC4, GL_UNSIGNED_INT, GL_UNSIGNED_INT_VEC2, GL_UNSIGNED_INT_VEC3, GL_UNSIGNED_INT_VEC4,
            GL_BOOL, GL_BOOL_VEC2, GL_BOOL_VEC3, GL_BOOL_VEC4, GL_FLOAT_MAT2, GL_FLOAT_MAT3, GL_FLOAT_MAT4,
            GL_FLOAT_MAT2x3, GL_FLOAT_MAT2x4, GL_FLOAT_MAT3x2, GL_FLOAT_MAT3x4, GL_FLOAT_MAT4x2,
            GL_FLOAT_MAT4x3, GL_SAMPLER_1D, GL_SAMPLER_2D, GL_SAMPLER_3D, GL_SAMPLER_CUBE,
            GL_SAMPLER_2D_SHADOW, GL_SAMPLER_2D_RECT, GL_SAMPLER_2D_ARRAY, GL_SAMPLER_BUFFER,
-           GL_INT_SAMPLER_2D, GL_UNSIGNED_INT_SAMPLER_2D});
+           GL_SAMPLER_1D_ARRAY, GL_SAMPLER_1D_SHADOW, GL_SAMPLER_1D_ARRAY_SHADOW, GL_SAMPLER_2D_ARRAY_SHADOW,
+           GL_SAMPLER_2D_RECT_SHADOW, GL_INT_SAMPLER_1D, GL_INT_SAMPLER_2D, GL_INT_SAMPLER_3D,
+           GL_INT_SAMPLER_CUBE, GL_INT_SAMPLER_1D_ARRAY, GL_INT_SAMPLER_2D_ARRAY, GL_INT_SAMPLER_2D_RECT,
+           GL_INT_SAMPLER_BUFFER, GL_UNSIGNED_INT_SAMPLER_1D, GL_UNSIGNED_INT_SAMPLER_2D,
+           GL_UNSIGNED_INT_SAMPLER_3D, GL_UNSIGNED_INT_SAMPLER_CUBE, GL_UNSIGNED_INT_SAMPLER_1D_ARRAY,
+           GL_UNSIGNED_INT_SAMPLER_2D_ARRAY, GL_UNSIGNED_INT_SAMPLER_2D_RECT,
+           GL_UNSIGNED_INT_SAMPLER_BUFFER});
 // clang-format on
 #undef TABLA
 

@@ -3,7 +3,8 @@ través de ./lab explica, que debe acabar bien y:
 
 - de un error, nombrarlo en su primera sospecha;
 - de lo legal, no sospechar nada, seguir todas sus líneas y cumplir en el píxel dibujado más cercano al centro lo mismo
-  que en los programas del laboratorio (propiedades/explica.py).
+  que en los programas del laboratorio (propiedades/explica.py);
+- de cada caso de explica/casos.inc, apuntar lo que pasa y decir lo que no se sabe seguir.
 
 Estado 1 si algo no se cumple.
 """
@@ -18,10 +19,11 @@ from pathlib import Path
 
 RAIZ = Path(__file__).parents[2]
 sys.path.insert(0, str(RAIZ / "tests/propiedades"))
-import explica  # noqa: E402
+import explica, preguntado  # noqa: E402, E401
 
 FILA = re.compile(r'^USO\((\w+), "(.*?)"', re.M)
-LISTA = Path(__file__).with_suffix(".inc")
+CASO = re.compile(r'^\{("(?:\\.|[^"\\])*"(?:, "(?:\\.|[^"\\])*")*)\},$', re.M)
+LISTA, CASOS = Path(__file__).with_suffix(".inc"), RAIZ / "tests/explica/casos.inc"
 NO_SE_SABE = {  # y se dice, también en la terminal
     "lectura_de_dos": "según desde dónde se llama, es una textura u otra",
     "cubo_sin_usar": "depende de lo que el programa aún no usa («cielo»)",
@@ -44,7 +46,9 @@ def explicado(build, carpeta, pixel, entorno):
     """Lo que da ./lab explica y lo que escribe; si no acaba bien, lo que dice."""
     orden = [sys.executable, "-B", RAIZ / "herramientas", "explica.orden", RAIZ, build, carpeta]
     suyo = ["casos", "usos", "usos", "Usos", *map(str, pixel), "--json", carpeta / "e.json"]
-    r = subprocess.run([*orden, *suyo], env={**os.environ, **entorno}, capture_output=True, text=True)
+    r = subprocess.run(
+        [*orden, *suyo], env={**os.environ, **entorno, "LAB_EXPLICA_SUMAS": "1"}, capture_output=True, text=True
+    )
     if r.returncode:
         return None, f"acaba con {r.returncode}: {r.stderr.strip()}"
     return json.loads((carpeta / "e.json").read_text()), r.stdout
@@ -73,16 +77,24 @@ def fallos_de(build, base, uso, debe):
     with tempfile.TemporaryDirectory() as carpeta:
         carpeta, entorno = Path(carpeta), {"BASE": base, "USO": uso}
         if not debe:
-            imagen = explica.dibuja([build / "osmesa/casos/usos"], carpeta, **entorno)
+            programa = build / "osmesa/casos/usos"
+            imagen = explica.dibuja([programa], carpeta, **entorno)
+            suyas = preguntado.pregunta([programa, *explica.TALLA], build, carpeta, **entorno)
         cuadro, dice = explicado(build, carpeta, [] if debe else cerca_del_centro(imagen), entorno)
+        if cuadro and (pide := re.search(r"Pide el píxel (\d+) (\d+)", dice)):
+            if "lo primero que no es un número" not in explicado(build, carpeta, pide.groups(), entorno)[1]:
+                return [f"en {pide[0]} no hay nada raro"]
     if not cuadro:
         return [dice]
     dichas = [f"{s['dice']}. {s['prueba']}" for s in cuadro["sospechas"]]
+    dibujan = sum("cableado" in o for o in cuadro["ordenes"])
+    partes = re.findall(r"(\d+) de \w+ (\d+)", f"{dichas}".replace(", por lo mismo", f" de esas {dibujan - 1}"))
+    fallos = [f"{n} de {de}, en {dichas}" for n, de in partes if int(n) > int(de)]
     if debe:
-        return [] if any(re.search(debe, dicha) for dicha in dichas[:1]) else [f"falta «{debe}» en {dichas}"]
+        return fallos if any(re.search(debe, dicha) for dicha in dichas[:1]) else [f"falta «{debe}» en {dichas}"]
     canales = explica.canales_de(cuadro)
-    fallos = [f"se sospecha: {d}" for d in dichas] + list(explica.fallos_de_pixel(cuadro, imagen, canales))
-    fallos += fallos_de_texels(cuadro, canales)
+    fallos += [f"se sospecha: {d}" for d in dichas] + list(explica.fallos_de_pixel(cuadro, imagen, canales))
+    fallos += [*fallos_de_texels(cuadro, canales), *preguntado.fallos(cuadro, suyas)]
     if len(cuadro["historia"]) < 2:
         fallos.append("nada cubre el píxel")
     trazas = [t for t in [cuadro.get("sombreado", {}).get("fragmento")] if t]
@@ -95,6 +107,44 @@ def fallos_de(build, base, uso, debe):
     return fallos + ["no se dice lo que no se sabe"] * (NO_SE_SABE[uso] not in dice)
 
 
+def cuenta(lineas):
+    """«3 x:1.5 y:2 | 4 >f <f:2»: en la 3, x vale 1.5; en la 4 se entra en f y da 2. La línea se dice cuando cambia."""
+    partes, antes = [], None
+    for linea in lineas:
+        clase, nombre = linea["clase"], linea["nombre"]
+        if clase in ("entrada", "salida") or linea["tipo"] == "void" and nombre == "main":
+            continue
+        partes += [f"| {linea['linea']}"] * (linea["linea"] != antes)
+        antes = linea["linea"]
+        como = {"entra": f">{nombre}", "vuelve": f"<{nombre}", "devuelve": f"<{linea['funcion']}"}.get(clase, nombre)
+        valor = ",".join(n if isinstance(n, str) else f"{n:.9g}" for n in linea["valor"])
+        partes.append(como + f":{valor}" * bool(valor))
+    return " ".join(partes).removeprefix("| ")
+
+
+def fallos_de_caso(build, fila):
+    """El fragment shader se mira aunque no gane, que quizá descarta."""
+    de_global, cuerpo, pasa, no_se_sabe = (*json.loads(f"[{fila}]"), "")[:4]
+    inicio = "#version 140\nuniform int uno; uniform float medio; out vec4 o; "
+    fuente = f"{inicio}{de_global}\n#line 2\n\nvoid main() {{ {cuerpo}\n}}\n"
+    with tempfile.TemporaryDirectory() as carpeta:
+        delante = build / "herramientas/explica/libexplica.so"
+        entorno = {**os.environ, "LD_PRELOAD": delante, "USO": "caso", "CASO": fuente, "LAB_EXPLICA": "e.json"}
+        entorno |= {"LAB_EXPLICA_PIXELES": "1,178", "LAB_EXPLICA_SOMBREA": "2,0"}
+        r = subprocess.run(build / "osmesa/casos/usos", env=entorno, cwd=carpeta, capture_output=True, text=True)
+        if r.returncode:
+            return [f"{cuerpo}: {r.stderr}"]
+        cuadro = json.loads(Path(carpeta, "e.json").read_text(), parse_int=float)  # -0 no es 0
+    fragmento = cuadro["pixeles"][0]["sombreado"]["fragmento"]
+    for linea in (linea for que in ("lineas", "sinSeguir") for linea in fragmento[que]):
+        linea["linea"] = int(linea["linea"])
+    hay = cuenta(fragmento["lineas"])
+    debe = re.sub(r"(?<=[:,])-?\d+(?=[ ,]|$)", lambda n: f"{float(n[0]):.9g}", pasa)  # las cifras que se dan
+    bien = fuente == cuadro["programas"][0]["frag"] and (hay == debe or debe[0] == "…" and hay.endswith(debe[1:]))
+    dichas = [f"{s['linea']}: {s['motivo']}" for s in fragmento["sinSeguir"]]
+    return [] if bien and dichas == [no_se_sabe] * bool(no_se_sabe) else [f"{cuerpo}: {hay} {dichas} y no {debe}"]
+
+
 def main():
     build, *resto = sys.argv[1:]
     build, todos = Path(build).absolute(), "--todos" in resto
@@ -105,15 +155,18 @@ def main():
         for i, fila in enumerate(elegidas)
         for base in (("toro", "grua") if todos else ("toro", "grua")[i % 2 :][:1])
     ]
+    casos = [] if set(resto) - {"--todos"} else CASO.findall(CASOS.read_text())
     with ThreadPoolExecutor(os.cpu_count()) as hilos:
         de_cada = list(hilos.map(lambda t: fallos_de(build, *t), trabajos))
+        de_casos = [fallo for suyos in hilos.map(lambda fila: fallos_de_caso(build, fila), casos) for fallo in suyos]
+    print("\n".join(de_casos), f"casos: bien {len(casos) - len(de_casos)} de {len(casos)}", sep="\n")
     for (base, uso, debe), fallos in zip(trabajos, de_cada):
         for fallo in fallos:
             print(f"{'error' if debe else 'legal'} {uso}, {base}: {fallo}")
     for que, bien in (("errores", True), ("usos legales", False)):
         suyos = [fallos for (*_, debe), fallos in zip(trabajos, de_cada) if bool(debe) == bien]
         print(f"{que}: bien {sum(not fallos for fallos in suyos)} de {len(suyos)}")
-    return not trabajos or any(de_cada)
+    return not trabajos or any(de_cada) or bool(de_casos)
 
 
 if __name__ == "__main__":

@@ -10,6 +10,7 @@ caso base de cada programa, o en todos sus casos, en N píxeles al azar, siempre
 - entre dos sucesos de la historia de un framebuffer nadie más cambia el píxel, ni lo cambia el que no escribe;
 - lo que pasa o no un test sale de comparar lo que pide con lo que había, lo copiado es lo que había donde se dice, y
   el que gana es el último;
+- lo que se dice de cada orden es lo que OpenGL contesta a quien se lo pregunta (preguntado.py);
 - la línea del programa que se dice de cada orden y de cada uniform es de uno suyo, y nombra lo que se dice que llama;
 - quien escribe cambia los canales que deja glColorMask y, si no mezcla, por los de su color.
 
@@ -31,9 +32,11 @@ from pathlib import Path
 
 RAIZ = Path(__file__).parents[2]
 sys.path.insert(0, str(RAIZ / "herramientas"))
+import preguntado  # noqa: E402
 from base import catalogo, controles, llamadas  # noqa: E402
 
 ANCHO, ALTO = 240, 180
+TALLA = "-geometry", f"{ANCHO}x{ALTO}", "-ppm", "imagen.ppm"
 SIN_SOSPECHAS = {  # lo que se sospecha, con razón, y aquí es así a propósito
     "escalado": "determinante 0",  # con un factor 0
     "normales": "determinante 0",  # aplastar un objeto
@@ -183,8 +186,14 @@ def fallos_de_lectura(lectura):
     suma = [sum(t["peso"] * t["color"][c] for t in texels) for c in range(4)]
     contraste = max((max(c) - min(c) for c in zip(*(t["color"] for t in texels))), default=0)
     lejos = distancia(suma, lectura["valor"]) > 1.1 / 255 + contraste / 128 + 1e-6 if texels else True
-    if lectura["motivo"] == SALE_DE_LA_CARA and lectura["cara"]:
-        return
+    if lectura["escrito"].count("(") != lectura["escrito"].count(")"):
+        yield f"«{lectura['escrito']}» no está entero"
+    if lectura.get("cara"):
+        eje = max(range(3), key=lambda k: abs(lectura["coordenadas"][k]))
+        if lectura["cara"] != "+−"[lectura["coordenadas"][eje] < 0] + "XYZ"[eje]:
+            yield f"{lectura['coordenadas']} no va a la cara {lectura['cara']}"
+        if lectura["motivo"] == SALE_DE_LA_CARA:
+            return
     sabido = lectura["motivo"] in ("", ANISOTROPO) and abs(pesos - 1) <= 1e-5 or lectura["motivo"] == OTRA_TEXTURA
     if lejos != bool(lectura["motivo"]) or not sabido:
         yield f"{lectura['escrito']} da {lectura['valor']}, y de pesos {pesos}, {suma}: {lectura['motivo']}"
@@ -229,8 +238,7 @@ def fallos_de_lineas(cuadro, ejecutable):
 
 def dibuja(orden, carpeta, **entorno):
     """Su imagen, que debe salir sin nada que decir."""
-    orden = [*orden, "-geometry", f"{ANCHO}x{ALTO}", "-ppm", "imagen.ppm"]
-    r = subprocess.run(orden, env={**os.environ, **entorno}, cwd=carpeta, capture_output=True, text=True)
+    r = subprocess.run([*orden, *TALLA], env={**os.environ, **entorno}, cwd=carpeta, capture_output=True, text=True)
     assert r.returncode == 0 and not r.stderr, f"acaba con {r.returncode}: {r.stderr}"
     return pixeles(carpeta / "imagen.ppm")
 
@@ -250,13 +258,14 @@ def fallos_de(build, orden, puntos, golden, sabido):
         if not (carpeta / "e.json").exists():
             return ["no se explica"]
         cuadro = json.loads((carpeta / "e.json").read_text())
+        suyas = preguntado.pregunta([*orden, *TALLA], build, carpeta)
     explicados = cuadro["pixeles"]
     fallos = [] if igual else ["la imagen no es la misma explicada"]
     dichas = [s["dice"] for s in cuadro["sospechas"] if not (sabido and sabido in s["dice"])]
     fallos += [f"se sospecha: {dice}" for dice in dichas]
     if [tuple(e["pixel"]) for e in explicados] != puntos:
         fallos.append("no están los píxeles que se piden")
-    fallos += fallos_de_lineas(cuadro, orden[0])
+    fallos += [*fallos_de_lineas(cuadro, orden[0]), *preguntado.fallos(cuadro, suyas)]
     canales = canales_de(cuadro)
     sucesos = [s for e in explicados for s in e["historia"] if s["dice"] == "borrado" and s["framebuffer"] == 0]
     for n in {s["orden"] for s in sucesos if len(canales.get(s["orden"], "rgb")) > 2}:
