@@ -451,8 +451,7 @@ function resumen(datos, conImagen) {
     partes.push(h('ul', { class: 'sospechas' }, datos.sospechas.map(s => h('li', {}, `${s.dice}. ${s.prueba} `,
       sitioDe(s.sitio ? s : datos.ordenes.find(o => o.n === s.orden) ?? {}, true)))));
   if (!datos.pixel) return partes;
-  const ultimo = quienGana(datos);
-  const orden = ultimo && datos.ordenes.find(o => o.n === ultimo.orden);
+  const ultimo = quienGana(datos), orden = ultimo && datos.ordenes.find(o => o.n === ultimo.orden);
   const suya = ultimo?.tipo ? `el ${primitivaDe(ultimo)} de ` : '';
   const quien = orden && `${suya}la orden ${orden.n}, ${tituloDe(orden)}`;
   const desde = orden?.sitio ? [', en ', sitioDe(orden, true)] : [];

@@ -52,7 +52,7 @@ export class Compilacion {
     const suyos = await ejercicio?.fuentes(), cambios = suyos ? Object.entries(suyos) : this.#cambios(taller);
     try {
       await this.#trae();
-      estado.textContent = 'Compilando…';
+      if (sigue()) estado.textContent = 'Compilando…';
       const hecho = await this.conEsos(programa, ejercicio, cambios);
       if (hecho.modulo)
         this.#modulos.set(ejercicio?.enlace ?? programa.nombre, { modulo: hecho.modulo, de: JSON.stringify(suyos) });
@@ -61,6 +61,7 @@ export class Compilacion {
       this.#di(hecho.dichos, hecho.modulo);
       if (hecho.modulo) await this.alCompilar();
     } catch (error) {
+      if (!sigue()) return;
       estado.textContent = error.name === 'AbortError' ? 'No se ha traído: al pedirlo otra vez se empieza de nuevo.'
         : `No se puede compilar: ${error.message}`;
     }

@@ -234,8 +234,7 @@ export class Ejercicio {
   }
 
   #acaba(casos, fallan, otro) {
-    const varios = casos > 1;
-    const faltan = varios ? `en ${fallan} de los ${casos} casos` : 'al empezar';
+    const varios = casos > 1, faltan = varios ? `en ${fallan} de los ${casos} casos` : 'al empezar';
     if (fallan) dictamina(`Falta que coincida ${faltan}.`);
     else if (otro) dictamina(`Falta que coincida también así: ${otro}.`);
     else this.resuelve(varios ? `Resuelto: coincide en los ${casos} casos.` : 'Resuelto.');

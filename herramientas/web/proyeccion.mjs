@@ -31,6 +31,7 @@ function ayuda(hay) {
 /// La tecla p y, proyectando, las demás: `programa()` es el que se ve; `pasa(±1)` va a lo que sigue y `salta(0 o −1)`,
 /// al principio o al final del capítulo.
 export function atiendeProyeccion(programa, mueve) {
+  document.addEventListener('fullscreenchange', () => escena.classList.remove('negro', 'con-teclas'));
   addEventListener('keydown', suceso => { // antes que el programa
     if (document.fullscreenElement !== escena || esDelNavegador(suceso)) return;
     const hay = teclas(programa(), mueve), hace = hay[suceso.key];

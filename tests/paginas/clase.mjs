@@ -55,9 +55,7 @@ enNavegadores(['chromium', 'firefox'], {
       assert.equal(await p.da(() => una('h2 span').textContent), quien);
     }
   },
-});
 
-enNavegadores(['chromium', 'firefox'], {
   'cada error se proyecta en una pantalla, sin nombres': async p => {
     const talla = [1920, 1080];
     await p.carga('', pathToFileURL(`${ABRE}/proyectar.html`).href);

@@ -60,6 +60,7 @@ export async function seCopia(p) {
   });
   assert.ok(cuantos);
   assert.deepEqual(mal, []);
+  await p.acaba('y vuelven a decirlo', () => todos('.copia').every(b => b.textContent === 'Copiar'));
 }
 
 /// Las que llevan Ctrl, Alt o Meta son del navegador, esté donde esté el foco.

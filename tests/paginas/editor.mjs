@@ -130,12 +130,15 @@ const ejercicios = {
     const suyos = await p.da(() =>
       JSON.parse(una('#programas').textContent).flatMap(q => q.ejercicios.filter(e => !e.carpeta).map(e => e.codigo)));
     assert.deepEqual(suyos.sort(), CODIGOS.sort());
+    await p.da(() => localStorage.setItem('resueltos', 'de_otra_clase')); // que no está en la página
     await empieza(p, 'L5.1');
     await resuelve(p);
     assert.match((await parecido(p))[1], /^Resuelto/);
     await p.pagina.reload();
     await p.acaba('vuelve', () => sesion?.vivo);
     assert.equal((await parecido(p))[0], 100, 'lo escrito sigue');
+    await p.escribe(2, '// otra cosa\n');
+    await p.acaba('lo escrito después no se ha mirado', () => !una('[data-coincide]'));
     await p.va('');
     await p.acaba('se ve', () => todos('.tarjetas .a-ejercicio').filter(a => a.textContent.endsWith('✓') &&
       /resuelto/.test(a.ariaLabel)).length === 1 && una('.cuenta').textContent.endsWith('resuelto 1'));

@@ -40,23 +40,12 @@ async function mira([x, y], sabido) {
   }
   di(sombreado?.primitiva !== gana.primitiva, 'no es el shader de quien gana');
   if (sombreado) {
-    const { fragmento, vertices, entradas = [], pesos } = sombreado;
+    const { fragmento, vertices, pesos } = sombreado;
     const ultimo = fragmento.lineas.findLast(l => l.clase === 'salida')?.valor ?? [NaN];
     di(fragmento.pasos < 4000 && ultimo.some((v, k) => !(Math.abs(v - gana.color[k]) <= 1 / 255)),
       `el shader apunta (${ultimo}) y da (${gana.color})`);
     for (const t of [fragmento, ...vertices]) di(t.motivo || t.sinSeguir.length, t.motivo + t.sinSeguir);
     di(vertices.length !== gana.vertices.length || (vertices.length === 3) !== Boolean(pesos), 'faltan vértices');
-    // la posición, en float, se redondea; en un triángulo de menos de un píxel eso cambia más los pesos
-    const en = vertices.map(v => v.lineas.findLast(l => l.nombre === 'gl_Position').valor)
-      .map(([x, y, , w]) => [x / w, y / w]);
-    const [[x0, y0], [x1, y1], [x2, y2]] = pesos ? en : [[0, 0], [1, 0], [0, 1]];
-    const alto = Math.abs((x1 - x0) * (y2 - y0) - (x2 - x0) * (y1 - y0)) /
-      Math.max(Math.hypot(x1 - x0, y1 - y0), Math.hypot(x2 - x1, y2 - y1), Math.hypot(x2 - x0, y2 - y0));
-    for (const e of entradas) {
-      const talla = Math.max(1, ...e.valor.map(Math.abs)), tolera = 1e-5 + 4 * 2 ** -23 / alto;
-      di(e.valor.some((v, k) => !(Math.abs(v - e.interpolado[k]) <= tolera * talla)),
-        `${e.nombre} vale (${e.valor}) y de los vértices sale (${e.interpolado})`);
-    }
     di(!todos('.explicacion .apunte').length, 'no se ve ninguna línea');
     const pinta = escritos.filter(s => s.dice !== 'borrado').length;
     const dichas = todos('.explicacion h2').map(t => t.textContent.match(/escrito (\d+) veces/)).find(Boolean)?.[1];

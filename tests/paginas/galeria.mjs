@@ -2,8 +2,9 @@
 // grande pasa con las teclas y nunca enseña una imagen agrandada; cada dirección lleva a lo suyo; en papel, un capítulo
 // es eso y nada más; nada se sale de un teléfono, y la pueden usar todos.
 import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
 import { seBusca, seCopia, sonDelNavegador } from './comun.mjs';
-import { CAPITULOS, CASOS, enNavegadores, espera, PROGRAMAS } from './navegador.mjs';
+import { ABRE, CAPITULOS, CASOS, enNavegadores, espera, lee, PROGRAMAS } from './navegador.mjs';
 
 const capituloDe = caso => PROGRAMAS.find(p => p.nombre === caso.programa).capitulo;
 const ANIMADOS = CASOS.filter(c => c.anima).map(c => c.fichero);
@@ -38,6 +39,16 @@ const enLosDos = {
     assert.equal(anchos.length, CASOS.length - deConsola.length);
     assert.equal(anchos.filter(a => a === 480).length, ANIMADOS.length, 'las animadas');
     assert.ok(anchos.every(a => [480, 720].includes(a)));
+  },
+
+  'de cada caso se dice qué es, qué mirar en él, el título de su ventana y lo que escribe': async p => {
+    const hecho = JSON.parse(readFileSync(`${ABRE}/.hecho.json`));
+    await p.carga();
+    const dice = await p.da(ficheros => ficheros.map(f => document.getElementById(f)).map(e =>
+      (e.matches('figure') ? e : una('figure', e)).textContent), CASOS.map(c => c.fichero));
+    assert.deepEqual(CASOS.flatMap(({ fichero, titulo, mira, ...caso }, i) =>
+      [titulo, mira, ...['ventana', 'salida'].map(que => hecho[`${capituloDe(caso)}/${fichero}.png`][que])]
+        .filter(que => !dice[i].includes(que ?? '')).map(que => `${fichero}: ${que}`)), []);
   },
 
   'una imagen pulsada se ve en grande; las teclas, y con Esc o «Atrás» se cierra': async p => {
@@ -180,9 +191,9 @@ const enLosDos = {
     assert.equal(await p.da(() => una('#grua abbr').title), 'ejercicio 3.5: la grúa de obra');
     await p.da(() => { una('#grua .fuentes').open = true; });
     await p.acaba('el fuente se ve', () => /glutMainLoop/.test(una('#grua pre').textContent));
-    await p.da(() => una('#grua .pestanas button:last-child').click());
-    await p.acaba('y los demás', () => una('#grua .pestanas [aria-pressed=true]:last-child') !== null &&
-      !/glutMainLoop/.test(una('#grua pre').textContent));
+    const fuentes = await p.da(() => todos('#grua .pestanas button').map(b => b.click() ?? b.dataset.fuente));
+    await p.acaba('y de los pulsados seguidos, el último', texto => una('#grua pre').textContent === texto,
+      lee(fuentes.at(-1)));
   },
 
   'el dedo pasa a un lado y a otro': async p => {

@@ -58,8 +58,7 @@ function nombra() {
     escena: () => pagina.escena, editor: () => pagina.editor, visto: () => pagina.visto, cm: () => pagina.editor.cm,
     sesion: () => pagina.escena.sesion, hecho: () => pagina.escena.hecho, dialogo: () => una('dialog'),
     telon: () => una('.telon'), consola: () => una('.consola'), marco: () => una('.lienzo'),
-    estado: () => una('.fichero-estado'),
-    aviso: () => una('.aviso').textContent,
+    estado: () => una('.fichero-estado'), aviso: () => una('.aviso').textContent,
   };
   for (const [nombre, get] of Object.entries(alias)) Object.defineProperty(globalThis, nombre, { get });
   globalThis.todos = (selector, raiz = document) => [...raiz.querySelectorAll(selector)];

@@ -19,11 +19,11 @@ async function nota(datos) {
     ...dice.filter(d => d.startsWith('parece '))];
 }
 
-/// Esos ficheros, en un .zip que se suelta en ella.
+/// Esos ficheros, con los finales de línea de Windows, en un .zip que se suelta en ella.
 async function suelta(p, ficheros) {
-  const deUnaCarpeta = Object.entries(ficheros).map(([ruta, texto]) => [`entrega/${ruta.split('/').pop()}`, texto]);
+  const hay = Object.entries(ficheros).map(([r, t]) => [`entrega/${r.split('/').pop()}`, t.replace(/\n/g, '\r\n')]);
   await p.da(() => { visto.taller.cambios.clear(); una('.aviso').textContent = ''; });
-  await p.suelta('entrega.zip', Buffer.from(await haceZip(Object.fromEntries(deUnaCarpeta)).arrayBuffer()));
+  await p.suelta('entrega.zip', Buffer.from(await haceZip(Object.fromEntries(hay)).arrayBuffer()));
   await p.acaba('se abre', () => una('.aviso').textContent.startsWith('Abierto'));
 }
 

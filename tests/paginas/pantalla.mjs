@@ -43,9 +43,9 @@ const proyectando = {
     await arranca(p, '#grua;tecla d');
     await p.teclas('p');
     await p.acaba('p proyecta', () => document.fullscreenElement === una('.escena'));
-    await p.teclas('PageDown');
-    await p.acaba('al primer caso', () => sesion?.vivo && visto.caso === visto.programa.casos[0] &&
-      !hecho.ordenes.length);
+    await p.teclas('b', 'PageDown');
+    await p.acaba('al primer caso, y se ve', () => sesion?.vivo && visto.caso === visto.programa.casos[0] &&
+      !hecho.ordenes.length && !una('.negro'));
     for (const caso of (await p.da(() => visto.programa.casos.map(c => c.fichero))).slice(1)) {
       await p.teclas('ArrowRight'); // que la grúa no usa
       await p.acaba(caso, caso => sesion?.vivo && visto.caso.fichero === caso, caso);
@@ -81,6 +81,9 @@ const proyectando = {
       for (const tecla of 'b.') assert.equal(dicha.includes(` ${tecla} `), tecla !== usa, dicha);
       await p.teclas('?');
     }
+    await p.teclas('b');
+    await p.da(() => document.exitFullscreen());
+    await p.acaba('al volver a proyectar no está en negro', () => !una('.negro'));
   },
 };
 

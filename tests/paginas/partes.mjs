@@ -2,7 +2,6 @@
 // que le da web.py, con Node y sin navegador.
 import { File } from 'node:buffer'; // Node.js 18 no la da sin pedirla
 import assert from 'node:assert/strict';
-import { execFileSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { haceZip, leeZip } from '../../herramientas/web/carpeta.mjs';
@@ -69,11 +68,9 @@ test('de lo que llega estropeado se dice el nombre', async () => {
 const DE_WEB = `
 import json, sys, tempfile
 from pathlib import Path
-raiz, build, *elegidos = sys.argv[1:]
-sys.path.insert(0, raiz + "/herramientas")
+raiz, build, elegidos = Path(sys.argv[1]), Path(sys.argv[2]), sys.argv[3:]
 from base import catalogo, indice, libro
 from web import pagina as web
-raiz, build = Path(raiz), Path(build)
 with tempfile.TemporaryDirectory() as carpeta:
     pagina = web.Pagina(raiz, build, None, Path(carpeta))
     pagina.empaqueta("a.b", {"ñ": [1]})
@@ -88,10 +85,7 @@ const RASGOS = {
 };
 
 const ELEGIDOS = [...Object.keys(RASGOS), 'bezier'];
-const deWeb = () =>
-  JSON.parse(execFileSync('python3', ['-B', '-c', DE_WEB, raiz, build, ...ELEGIDOS], { maxBuffer: 1e8 }));
-
-const [paquete, datos, indice] = deWeb();
+const [paquete, datos, indice] = dePython(DE_WEB, ...ELEGIDOS);
 
 test('lo que da web.py', async () => {
   const llegado = [];
@@ -189,6 +183,7 @@ test('cómo se lee lo que se busca, y qué trozo se enseña', () => {
     for (const buscado of ['CAMARA', 'Cámara', 'otra camara', 'x']) {
       const [antes, hallado, despues] = trozo(texto, buscado), todo = (antes + hallado + despues).replaceAll('…', '');
       assert.ok(texto.includes(todo) && todo.length <= 100, todo);
+      assert.deepEqual([antes, despues].map(t => t.includes('…')), [!texto.startsWith(todo), !texto.endsWith(todo)]);
       assert.equal(hallado, /cámara/.test(texto) && buscado !== 'x' ? 'cámara' : '');
     }
   }

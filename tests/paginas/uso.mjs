@@ -227,6 +227,8 @@ const adversidades = {
       await p.acaba(`«${orden.slice(0, 9)}» se dice que no vale`, () => !telon.hidden &&
         telon.textContent.length < 2000 && /guion «(tecla nada|[a%])/.test(telon.textContent));
     }
+    await p.va('#grua;espera 20000');
+    await p.acaba('de lo que no se repite entero se dice', () => /demasiado largo/.test(aviso));
     const shader = 'lab/ch03_transformaciones/objeto';
     await p.abre(`#grua;captura /${shader}.frag;captura ${shader}.vert;tecla d ×7`);
     for (const tipo of ['frag', 'vert']) assert.match(String(await p.lee(`/${shader}.${tipo}`)), /^#/, tipo);
