@@ -213,12 +213,12 @@ def hay_programa(carpeta):
 
 
 def busca(mios, entrega, fuera=None):
-    """Su carpeta, que puede estar en MIOS, y, si es una clase, las de dentro, menos esa de fuera. Un fuente suelto, que
-    será de quien enseña, no hace de la clase una entrega."""
+    """Su carpeta, que puede estar en MIOS, y, si es una clase, las de dentro, menos esa de fuera; o su fichero. Un fuente
+    suelto en ella, que será de quien enseña, no hace de la clase una entrega."""
     suelto = Path(entrega)
-    if suelto.is_file() and tipo(suelto.name) in CODIGO:
-        return suelto.absolute(), None, []
     carpeta = next((c for c in (mios / entrega, suelto) if c.is_dir()), None)
+    if not carpeta and suelto.is_file():
+        return suelto.absolute(), None, []
     if not carpeta:
         raise Fallo(f"no hay ninguna carpeta «{entrega}», ni mios/{entrega}")
     carpeta = carpeta.absolute()
