@@ -339,7 +339,7 @@ def como_acaba(p, guion):
     if p.cuelga and p.segundos < p.limite / 2:
         return f"se queda esperando{donde}: ¿duerme, espera a que alguien escriba o pulse algo, o llama a fork?"
     if p.cuelga:
-        return f"tarda más de {p.limite:.0f} s de procesador{donde}: ¿un bucle que no acaba, o demasiado trabajo?"
+        return f"tarda más de lo que se le deja{donde}: ¿un bucle que no acaba, o demasiado trabajo?"
     if p.estado == 3:
         return dice.partition(": ")[2] or "error de OpenGL"
     if p.estado == -1:
