@@ -136,9 +136,8 @@ static const Uso USOS[] = {
     {"nada", [] {}},
     {"caso", // de explica/casos.inc: en toda la ventana, ese fragment shader
      [] {
-         VERT = "#version 140\nvoid main() {\n    gl_Position = vec4(4 * (gl_VertexID % 2) - 1, 4 * "
-                "(gl_VertexID / "
-                "2) - 1, 0.0, 1.0);\n}\n";
+         VERT = "#version 140\nvoid main() {\n    gl_Position = vec4(4 * (gl_VertexID % 2) - 1, "
+                "4 * (gl_VertexID / 2) - 1, 0.0, 1.0);\n}\n";
          FRAG = std::getenv("CASO");
          antes = [] { glUniform1i(donde("uno"), 1), glUniform1f(donde("medio"), 0.5f); };
          dibujaPieza = [] { glDrawArrays(GL_TRIANGLES, 0, 3); };

@@ -119,14 +119,6 @@ def test_cada_fuente_incluye_lo_que_usa_de_las_nuestras():
     falla(sorted(faltan + sobran))
 
 
-def test_un_nombre_es_de_una_funcion():
-    """El de una cabecera no lo repite otra: quien lee un programa sabe qué llama."""
-    de = {}
-    for nombre, f in [(n, f) for f in DE_PROGRAMAS if f.suffix == ".h" for n in declara(f) if n[0].islower()]:
-        de.setdefault(nombre, []).append(corto(f))
-    falla([f"{n}: {', '.join(en)}" for n, en in de.items() if len(en) > 1])
-
-
 # De cada cabecera de std, lo que una versión del compilador trae sin pedirla, y otra no.
 DE_STD = {c: c for c in "array atomic chrono complex deque filesystem list map mutex optional set".split()}
 DE_STD |= {c: c for c in "regex string string_view thread tuple unordered_map variant vector".split()}
@@ -186,24 +178,6 @@ def test_ninguna_linea_es_ancha():
     for f in [*BASH, *PYTHON, *CPP, *js]:
         lineas = enumerate(f.read_text().splitlines(), 1)
         falla([f"{corto(f)}:{n}: {len(linea)} columnas" for n, linea in lineas if len(linea) > ANCHO])
-
-
-def test_ningun_condicional_dentro_de_otro():
-    hallados = []
-    for f in [*DE_PROGRAMAS, *SHADERS]:
-        dentro = [False]  # de cada paréntesis, si está en un condicional
-        for n, linea in enumerate(codigo(f).splitlines(), 1):
-            for c in linea:
-                if c in "([{":
-                    dentro.append(dentro[-1])
-                elif c in ")]}":
-                    dentro.pop()
-                elif c in ",;":
-                    dentro[-1] = dentro[-2] if dentro[1:] else False
-                elif c == "?":
-                    hallados += [f"{corto(f)}:{n}"] if dentro[-1] else []
-                    dentro[-1] = True
-    falla(hallados)
 
 
 ESCRITO = [
