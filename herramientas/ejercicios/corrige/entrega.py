@@ -213,7 +213,7 @@ def hay_programa(carpeta):
 
 
 def busca(mios, entrega, fuera=None):
-    """Su carpeta, que puede estar en MIOS, o su fichero y, si es una clase, las de dentro, menos esa de fuera. Un fuente
+    """Su carpeta, que puede estar en MIOS, o su fichero y, si es una clase, las de dentro, menos esa de fuera. Lo
     suelto en ella, que será de quien enseña, no hace de la clase una entrega."""
     suelto = Path(entrega)
     carpeta = next((c for c in (mios / entrega, suelto) if c.is_dir()), None)
