@@ -362,8 +362,8 @@ def una_hoja(columnas, separador=",", fin="\r\n", maxima="10,00", comillas=csv.Q
     escribe = csv.writer(datos, delimiter=separador, lineterminator=fin, quoting=comillas)
     escribe.writerow(columnas)
     for n, quien in ((1001, RARO), (1002, "Ana Gil"), (1003, "Luis")):
-        grupo = ["Grupo_A"] if "Group" in columnas else []
-        fila = [f"Participante {n}", quien, "", "Enviado", *grupo, "", maxima, "Sí", "lunes, 5", "-", comento]
+        grupo, sin_nota = ["Grupo_A"] if "Group" in columnas else [], "" if n == 1002 else "-"
+        fila = [f"Participante {n}", quien, "", "Enviado", *grupo, sin_nota, maxima, "Sí", "lunes, 5", "-", comento]
         escribe.writerow(fila[: len(columnas)])
     return datos.getvalue() if acaba else datos.getvalue().rstrip()
 
@@ -460,7 +460,9 @@ def test_una_nota_vale_lo_que_vale_en_cada_sitio(tmp_path, monkeypatch, maxima):
     que es 100 es la máxima."""
     coma = "," if "," in maxima else "."
     debe = float(re.sub(r"\.(?=.*,)", "", maxima).replace(",", "."))
+    menor = len(maxima) % 2
     monkeypatch.setenv("VPL_GRADEMAX", f"{debe:g}")
+    monkeypatch.setenv("VPL_GRADEMIN", f"{menor}")
     for nota in (0, 0.1, 8.3, 33.3, 50, 87.5, 99.4, 99.9, 100):
         c = {**HECHA, "nota": nota, "ejercicio": REF, "semilla": "1"}
         (tmp_path / "h.csv").write_text(una_hoja(COLUMNAS, maxima=maxima))
@@ -469,14 +471,11 @@ def test_una_nota_vale_lo_que_vale_en_cada_sitio(tmp_path, monkeypatch, maxima):
         puesta = celdas(suya.escribe().read_bytes())[2][4]
         como = rf"\d+{coma}\d\d[1-9]?" if coma in maxima else r"\d+(,\d*[1-9])?"
         assert re.fullmatch(como, puesta), puesta
-        vpl, en_tabla = (
-            informes.en_vpl(c).rpartition("Grade :=>> ")[2],
-            celdas(informes.en_csv([c]).encode(), separador=";")[1],
-        )
+        vpl, en_tabla = informes.en_vpl(c).rpartition(" ")[2], celdas(informes.en_csv([c]).encode(), separador=";")[1]
         dicho = re.match(r"<p>(\S+) de 100", hoja.comentario(c))[1]
-        for escrita, de in (puesta, debe), (vpl, debe), (en_tabla[2], 100), (dicho, 100):
+        for escrita, desde, de in (puesta, 0, debe), (vpl, menor, debe), (en_tabla[2], 0, 100), (dicho, 0, 100):
             vale = float(escrita.replace(",", "."))
-            assert abs(vale - nota * de / 100) <= 0.005 and (vale == de) == (nota == 100), (nota, escrita)
+            assert abs(vale - desde - nota * (de - desde) / 100) <= 0.005 and (vale == de) == (nota == 100), escrita
 
 
 @pytest.mark.parametrize(
