@@ -460,9 +460,8 @@ def test_una_nota_vale_lo_que_vale_en_cada_sitio(tmp_path, monkeypatch, maxima):
     que es 100 es la máxima."""
     coma = "," if "," in maxima else "."
     debe = float(re.sub(r"\.(?=.*,)", "", maxima).replace(",", "."))
-    menor = len(maxima) % 2
     monkeypatch.setenv("VPL_GRADEMAX", f"{debe:g}")
-    monkeypatch.setenv("VPL_GRADEMIN", f"{menor}")
+    monkeypatch.setenv("VPL_GRADEMIN", str(menor := len(maxima) % 2))
     for nota in (0, 0.1, 8.3, 33.3, 50, 87.5, 99.4, 99.9, 100):
         c = {**HECHA, "nota": nota, "ejercicio": REF, "semilla": "1"}
         (tmp_path / "h.csv").write_text(una_hoja(COLUMNAS, maxima=maxima))

@@ -247,6 +247,7 @@ NO_EMPIEZAN = (  # y los que no dejan ni empezar
     ({"errores_tsv": "molinete.cpp a b\n"}, "errores:1: son fichero, texto"),
     ({"casos_txt": "tecla g\n"}, "casos.txt:1: es «nombre: guion»"),
     ({"casos_txt": "Uno: rueda +1 959 719\nDos: mueve 3 4; arrastra 960 3\n"}, "casos.txt:2: (960, 3) cae fuera"),
+    ({"casos_txt": "Uno: mueve 3 720\n"}, "casos.txt:1: (3, 720) cae fuera"),
     ({"reglas_txt": "caso = mucho\n"}, "reglas.txt:1: «mucho» no vale de caso"),
 )
 

@@ -125,9 +125,9 @@ def test_las_ordenes_de_los_documentos_se_entienden():
 # --- paquetes --------------------------------------------------------------------------------------------------------
 
 
-@pytest.fixture
-def apt(monkeypatch, tmp_path):
-    """Un Debian en que falta cmake: lo que se llama, con qué acaba y qué dice."""
+@pytest.fixture(params=["", "cmake not-installed\n", "cmake half-installed\n", "cmake config-files\n"])
+def apt(monkeypatch, tmp_path, request):
+    """Un Debian en que falta cmake, de cada manera: lo que se llama, con qué acaba y qué dice."""
     hay = SimpleNamespace(llamadas=[], estados={}, uid=1000, tiene={"apt-get", "dpkg-query", "sudo"}, puestos=set())
     hay.puestos |= {*paquetes.PARA_USAR, paquetes.OPCIONAL} - {"cmake"}
 
@@ -136,7 +136,8 @@ def apt(monkeypatch, tmp_path):
         registro.write_text(hay.estados.get("dice", "E: no\n"))
         return hay.estados.get(palabras[0], 0)
 
-    dpkg = lambda *orden: "".join(f"{p} installed\n" for p in hay.puestos) if orden[0] == "dpkg-query" else ""
+    dicho = lambda: request.param + "".join(f"{p} installed\n" for p in hay.puestos)
+    dpkg = lambda *orden: dicho() if orden[0] == "dpkg-query" else ""
     monkeypatch.setattr(paquetes, "apt", llama)
     monkeypatch.setattr(paquetes, "escrito", dpkg)
     monkeypatch.setattr(paquetes.os, "getuid", lambda: hay.uid)
