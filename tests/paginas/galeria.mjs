@@ -105,7 +105,7 @@ const enLosDos = {
     }
   },
 
-  'ninguna se enseña mayor de lo que se dibujó, ni menor de lo que cabe': async p => {
+  'ninguna se enseña mayor de lo que se dibujó, ni menor de lo que cabe, ni recortada': async p => {
     await p.carga();
     for (const [ancho, alto, densidad] of [[1920, 1080, 1], [2560, 1600, 1], [1440, 900, 2], [360, 740, 3]]) {
       await p.talla(ancho, alto, densidad);
@@ -117,7 +117,7 @@ const enLosDos = {
           const vista = Math.min(r.width, r.height * 4 / 3) * devicePixelRatio;
           const llena = Math.abs(r.width - marco.width) < 2 || Math.abs(r.height - marco.height) < 2;
           return dibujada && vista <= dibujada + 1 && r.width <= marco.width + 1 && r.height <= marco.height + 1 &&
-            (llena || vista > dibujada - 2);
+            (llena || vista > dibujada - 2) && getComputedStyle(e).objectFit === 'contain';
         });
         await p.da(() => dialogo.close());
       }
