@@ -46,9 +46,8 @@ def explicado(build, carpeta, pixel, entorno):
     """Lo que da ./lab explica y lo que escribe; si no acaba bien, lo que dice."""
     orden = [sys.executable, "-B", RAIZ / "herramientas", "explica.orden", RAIZ, build, carpeta]
     suyo = ["casos", "usos", "usos", "Usos", *map(str, pixel), "--json", carpeta / "e.json"]
-    r = subprocess.run(
-        [*orden, *suyo], env={**os.environ, **entorno, "LAB_EXPLICA_SUMAS": "1"}, capture_output=True, text=True
-    )
+    entorno = {**os.environ, **entorno, "LAB_EXPLICA_SUMAS": "1"}
+    r = subprocess.run([*orden, *suyo], env=entorno, capture_output=True, text=True)
     if r.returncode:
         return None, f"acaba con {r.returncode}: {r.stderr.strip()}"
     return json.loads((carpeta / "e.json").read_text()), r.stdout
@@ -150,11 +149,8 @@ def main():
     build, todos = Path(build).absolute(), "--todos" in resto
     filas = FILA.findall(LISTA.read_text())
     elegidas = [f for f in filas if not set(resto) - {"--todos"} or f[0] in resto]
-    trabajos = [
-        (base, *fila)
-        for i, fila in enumerate(elegidas)
-        for base in (("toro", "grua") if todos else ("toro", "grua")[i % 2 :][:1])
-    ]
+    bases = lambda i: ("toro", "grua") if todos else ("toro", "grua")[i % 2 :][:1]
+    trabajos = [(base, *fila) for i, fila in enumerate(elegidas) for base in bases(i)]
     casos = [] if set(resto) - {"--todos"} else CASO.findall(CASOS.read_text())
     with ThreadPoolExecutor(os.cpu_count()) as hilos:
         de_cada = list(hilos.map(lambda t: fallos_de(build, *t), trabajos))

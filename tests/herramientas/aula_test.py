@@ -207,13 +207,8 @@ def test_una_clase_revuelta(tmp_path, juzga, como):
 
 def test_con_que_se_compila():
     """Un main y lo que tiene que ver con él; si así no se puede, con todo lo que no tiene main; y si tampoco, solo."""
-    ficheros = {
-        "p.cpp": '#include "p.h"\nint main() {}',
-        "a.cpp": '#include "p.h"',
-        "b.cpp": "",
-        "c.cpp": "int main() {}",
-    }
-    ficheros |= {"p.h": "", "suelta.cpp": '#include "b.hpp"', "b.hpp": ""}
+    ficheros = {"p.cpp": '#include "p.h"\nint main() {}', "p.h": "", "a.cpp": '#include "p.h"', "b.cpp": ""}
+    ficheros |= {"c.cpp": "int main() {}", "suelta.cpp": '#include "b.hpp"', "b.hpp": ""}
     leida = entrega.Entrega({f: c.encode() for f, c in ficheros.items()}, ("p",))
     leida.completa({"p.cpp": "", "p.h": ""}, "p.cpp")
     assert leida.intentos[:3] == [["p.cpp", "a.cpp"], ["p.cpp", "a.cpp", "b.cpp", "suelta.cpp"], ["p.cpp"]]
@@ -292,11 +287,8 @@ ana/p.cpp luis/Eva_2_p.cpp → ana=p.cpp luis=Eva_2_p.cpp
 
 
 def de_moodle(texto):
-    return re.sub(
-        r"((?<=[^/a-z]\d)|(?<=group))(_texto)?(?=[_/=]|$)",
-        lambda m: MOODLE[:-5] + "onlinetext" if m[2] else MOODLE[:-1],
-        texto,
-    )
+    pone = lambda m: MOODLE[:-5] + "onlinetext" if m[2] else MOODLE[:-1]
+    return re.sub(r"((?<=[^/a-z]\d)|(?<=group))(_texto)?(?=[_/=]|$)", pone, texto)
 
 
 # Y de Canvas y de Blackboard, sin nada de Moodle.
@@ -477,20 +469,16 @@ def test_una_nota_vale_lo_que_vale_en_cada_sitio(tmp_path, monkeypatch, maxima):
             assert abs(vale - desde - nota * (de - desde) / 100) <= 0.005 and (vale == de) == (nota == 100), escrita
 
 
-@pytest.mark.parametrize(
-    "texto, dice",
-    [
-        ("Nombre,Nota\nAna,5\n", "no es una hoja de calificaciones de Moodle que conozca"),
-        ("", "no es una hoja"),
-        ("Identifier,Grade,Scale\nParticipant 1,,Mal\n", "escala de palabras"),
-    ],
-)
-def test_la_hoja_que_no_se_entiende_se_dice_antes_de_corregir(tmp_path, texto, dice):
-    (tmp_path / "h.csv").write_text(texto)
-    with pytest.raises(procesos.Fallo, match=dice):
-        hoja.Hoja(tmp_path / "h.csv")
-    with pytest.raises(procesos.Fallo, match="no puedo leer"):
-        hoja.Hoja(tmp_path / "no.csv")
+def test_la_hoja_que_no_se_entiende_se_dice_antes_de_corregir(tmp_path):
+    for fichero, texto, dice in (
+        ("a", "Nombre,Nota\nAna,5\n", "no es una hoja de calificaciones de Moodle que conozca"),
+        ("b", "", "no es una hoja"),
+        ("c", "Identifier,Grade,Scale\nParticipant 1,,Mal\n", "escala de palabras"),
+        ("x/no.csv", "", "no puedo leer"),
+    ):
+        siembra(tmp_path, {Path(fichero).name: texto})
+        with pytest.raises(procesos.Fallo, match=dice):
+            hoja.Hoja(tmp_path / fichero)
 
 
 def test_lo_puesto_a_mano_se_respeta(tmp_path):
@@ -538,12 +526,9 @@ def test_lo_de_un_grupo_vuelve_a_cada_uno(tmp_path):
 
 
 def corregida(quien, nota, *dice, imagen=""):
-    fallos = (
-        [{"que": "falla tras «tecla d»: abajo", "tras": ["tecla d"], "donde": None, "imagenes": [imagen] * 3}]
-        if imagen
-        else []
-    )
-    c = {"entrega": quien, "nota": nota, "dice": list(dice), "fallos": fallos, "casos": {}, "bien": 1, "guiones": 2}
+    falla = {"que": "falla tras «tecla d»: abajo", "tras": ["tecla d"], "donde": None, "imagenes": [imagen] * 3}
+    c = {"entrega": quien, "nota": nota, "dice": list(dice), "fallos": [falla] * bool(imagen)}
+    c |= {"casos": {}, "bien": 1, "guiones": 2}
     return conjunto.Hecha(quien, quien, f"{quien}.html", {**c, "semilla": "1"})
 
 
@@ -579,26 +564,18 @@ def test_en_que_se_equivoca_cada_uno():
     hechas = [corregida(str(i), 50, *dice) for i, dice in enumerate(callan)]
     otra = corregida("otra", 50, imagen="O")
     otra.c["fallos"][0]["donde"] = {"que": "falta", "dice": "x"}
-    assert {dice: len(de) for dice, de in conjunto.por_causa([*hechas, otra]).items()} == {
-        "«tecla d» no hace nada": 3,
-        "«tecla a» no hace nada": 1,
-        "falta algo por dibujar": 1,
-    }
+    debe = {"«tecla d» no hace nada": 3, "«tecla a» no hace nada": 1, "falta algo por dibujar": 1}
+    assert {dice: len(de) for dice, de in conjunto.por_causa([*hechas, otra]).items()} == debe
 
 
 def test_de_cada_uno_se_dice_todo_y_nada_dos_veces():
     azar, donde = random.Random(1), {"pixel": [1, 2], "ventana": [9, 9]}
     for _ in range(50):
-        fallos = [
-            {"que": f"falla {n}", "donde": azar.choice([None, *({**donde, "dice": d} for d in "uv")])} for n in range(3)
-        ]
-        son = [
-            re.sub("lo primero que se aparta: (.);.*", r"\1", d)
-            for d in informes.lineas({"dice": ["x"], "fallos": fallos})
-        ]
-        assert sorted(son) == sorted(
-            {"x", *(f["que"] for f in fallos), *(f["donde"]["dice"] for f in fallos if f["donde"])}
-        )
+        dicen = [azar.choice(["", "u", "v"]) for _ in range(3)]
+        fallos = [{"que": f"falla {n}", "donde": d and {**donde, "dice": d}} for n, d in enumerate(dicen)]
+        dichas = informes.lineas({"dice": ["x"], "fallos": fallos})
+        son = [re.sub("lo primero que se aparta: (.);.*", r"\1", d) for d in dichas]
+        assert sorted(son) == sorted({"x", *(f["que"] for f in fallos), *dicen} - {""})
 
 
 @pytest.mark.parametrize("copian", range(6))
@@ -719,11 +696,8 @@ def test_lo_que_no_cuenta_al_comparar():
 def test_al_lado_se_ensena_lo_marcado_y_lo_de_alrededor():
     texto = {"p.cpp": "\n".join(map(str, range(1, 31)))}
     ((ruta, filas),) = parecidos.al_lado(texto, {"p.cpp": {3, 20}, "no.h": {1}})
-    assert ruta == "p.cpp" and [f and (f[0], f[2]) for f in filas] == [
-        *((n, n == 3) for n in range(1, 6)),
-        None,
-        *((n, n == 20) for n in range(18, 23)),
-    ]
+    debe = [(n, n in (3, 20)) if n else None for n in (*range(1, 6), 0, *range(18, 23))]
+    assert ruta == "p.cpp" and [f and (f[0], f[2]) for f in filas] == debe
 
 
 @pytest.mark.parametrize("trozo", ["{", "}", "(", "-> {", "/*", '"', "a b;", "#", "0e"])

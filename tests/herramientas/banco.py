@@ -18,13 +18,11 @@ from mentira import BUILD, RAIZ, se_encierra
 REF = "E3.5"
 MOODLE = "_assignsubmission_file_"
 UNO = {"p.cpp": "int main() {}", "p.h": ""}
-con_catalogo = pytest.mark.skipif(not (BUILD / "catalogo.json").exists(), reason="no está configurado")
+configurado = (BUILD / "catalogo.json").exists()
+con_catalogo = pytest.mark.skipif(not configurado, reason="no está configurado")
 hay_comparador = (BUILD / "herramientas/comparador/compara").exists()
 con_comparador = pytest.mark.skipif(not hay_comparador, reason="no está compilado")
-con_jaula = pytest.mark.skipif(
-    not se_encierra() or not (BUILD / "catalogo.json").exists(),
-    reason="aquí no se puede encerrar nada, o no está compilado",
-)
+con_jaula = pytest.mark.skipif(not (configurado and se_encierra()), reason="no se puede encerrar, o no está compilado")
 
 
 def orden(*palabras):

@@ -85,11 +85,8 @@ def test_un_cuadro_estropeado_no_vale_o_se_compara(datos):
 
 def traza(*pasos):
     """De «x = 3» en la línea 2: que es lo que declara, si es la primera vez."""
-    lineas = [
-        {"linea": n, "clase": "asigna", "nombre": x, "tipo": "float", "funcion": "main", "valor": [v]}
-        for n, x, v in pasos
-    ]
-    return {"lineas": lineas}
+    suya = {"clase": "asigna", "tipo": "float", "funcion": "main"}
+    return {"lineas": [{"linea": n, "nombre": x, "valor": [v], **suya} for n, x, v in pasos]}
 
 
 BUCLE = "suma = 0.0;\nfor (int i = 0; i < 2; i++)\n    suma += f(i);\nc = suma;"

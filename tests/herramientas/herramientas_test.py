@@ -7,17 +7,14 @@ import random
 import re
 import subprocess
 import sys
-import threading
 import time
 from importlib.machinery import SourceFileLoader
 from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
-from unittest.mock import Mock
 
 import pytest
 
-import lab
 from base import catalogo, controles, defectos, evidencia, fuentes, guiones, libro, marcas, paginas, procesos
 from ejercicios import en_pagina, nuevo
 from ejercicios.corrige import entrega, shaders
@@ -216,10 +213,6 @@ def test_los_errores_de_un_programa(tmp_path):
     assert (tmp_path / "docs/evidencia.json").read_text() == apuntado
 
 
-CIFRAS = "nan —, 0 0, inf no vale, 0.0123 0.0123, 12.345 12.3, -1.5 -1.5, 999.4 999, 999.6 1\u202f000, 0.001 0.001"
-CIFRAS += ", 1234567 1\u202f234\u202f567, 1.23e-9 1.2·10⁻⁹, 2e7 2.0·10⁷"
-
-
 @pytest.mark.parametrize("en_marcha", [True, False])
 def test_cada_enlace_de_la_galeria_lleva_a_algo(tmp_path, en_marcha):
     capitulos = catalogo.lee(BUILD)
@@ -268,21 +261,41 @@ def test_lo_oculto_no_se_ensena(tmp_path, monkeypatch):
     assert not set(codigos) & set(libro.Libro(raiz).respuestas) and libro.Libro(raiz).respuestas
 
 
-def test_lo_que_dice_la_galeria_de_cada_programa(monkeypatch, capsys):
-    """Con tres casos que no se pueden dibujar, ya lo estaban o se hacen, de cada manera: cuántas imágenes ha hecho, o
-    cuáles no y por qué; y en la página a medias, cuántos programas faltan."""
+def test_lo_que_dice_la_galeria_mientras_dibuja(tmp_path, monkeypatch, capsys):
+    """De programas con tres casos que no se pueden dibujar, ya lo estaban o se hacen, de cada manera: cuántas imágenes
+    ha hecho, o cuáles no y por qué; en la página a medias, cuántos faltan; y acaba mal si alguna no se ha podido."""
+
+    def hace(_, programa, caso, __):
+        if caso.titulo == "mal":
+            raise procesos.Fallo("mal\ny más")
+        return caso.titulo == "hecha"
+
+    pagina, escritas = SimpleNamespace(escribe=lambda faltan=0, sigue=True: escritas.append((faltan, sigue))), []
     monkeypatch.setattr(dibuja, "CADA", -1)
-    for como in itertools.product((procesos.Fallo("mal\ny más"), False, True), repeat=3):
-        faltan, galeria = [], dibuja.Galeria.__new__(dibuja.Galeria)
-        galeria.turno, galeria.escrita, galeria.dibujados, galeria.programas = threading.Lock(), 0, 3, range(9)
-        galeria.pagina = SimpleNamespace(escribe=faltan.append)
-        galeria.dibuja = Mock(side_effect=como)
-        programa = catalogo.Programa(catalogo.Capitulo("ch01", ""), "p", "")
-        programa.casos = [catalogo.Caso(programa, f, f) for f in "abc"]
-        galeria.dibuja_programa(programa, None)
-        mal, n = [f"{f} ha fallado: mal" for f, que in zip("abc", como) if que not in (True, False)], como.count(True)
-        dice = "; ".join(mal) or (f"{n} {'imagen' if n == 1 else 'imágenes'}" if n else "sin cambios")
-        assert capsys.readouterr().err == f"[ 4/9] ch01/p: {dice}\n" and faltan == [5]
+    monkeypatch.setattr(dibuja, "PaginaGaleria", lambda *_: pagina)
+    monkeypatch.setattr(dibuja.Galeria, "dibuja", hace)
+    monkeypatch.setattr(dibuja.Taller, "compilando", lambda *_: [])
+    monkeypatch.setattr(sys, "argv", ["x", RAIZ, BUILD, tmp_path])
+    for pueden in ("mal", "igual", "hecha"), ("igual", "hecha"):
+        capitulo, dicen, mal, fin = catalogo.Capitulo("ch01", ""), {}, [], ""
+        for como in itertools.product(pueden, repeat=3):
+            p = catalogo.Programa(capitulo, f"p{len(dicen)}", "")
+            p.casos, n = [catalogo.Caso(p, f, f, que) for f, que in zip("abc", como)], como.count("hecha")
+            fallan = "; ".join(f"{c.fichero} ha fallado: mal" for c in p.casos if c.titulo == "mal")
+            dicen[p.nombre] = fallan or (f"{n} {'imagen' if n == 1 else 'imágenes'}" if n else "sin cambios")
+            mal += [p.nombre] * bool(fallan)
+            capitulo.programas.append(p)
+        monkeypatch.setattr(catalogo, "lee", lambda _: [capitulo])
+        escritas.clear()
+        try:
+            dibuja.main()
+        except SystemExit as salida:
+            fin = salida.code
+        dicho = re.findall(r"^\[ *(\d+)/(\d+)\] ch01/(\w+): (.*)$", capsys.readouterr().err, re.M)
+        assert [(int(i), int(n)) for i, n, *_ in dicho] == [(i + 1, len(dicen)) for i in range(len(dicen))]
+        assert escritas == [*((i, True) for i in range(1, len(dicen)))][::-1] + [(0, False), (0, True)]
+        assert {nombre: dice for *_, nombre, dice in dicho} == dicen
+        assert fin == (f"lab: no se ha podido dibujar todo: {', '.join(mal)}" if mal else "")
 
 
 def test_lo_que_ocupa_la_pagina_y_si_es_otra(tmp_path, monkeypatch, capsys):
@@ -320,15 +333,6 @@ def test_una_imagen_se_rehace_si_cambia_algo_de_lo_que_lee(tmp_path, monkeypatch
     (tmp_path / "otro").chmod(0o755)
     monkeypatch.setattr(type(p), "ejecutable", lambda *_: tmp_path / "otro")  # vuelto a compilar
     assert [galeria.dibuja(p, otro, tmp_path) for _ in range(2)] == [True, False]
-
-
-def test_de_varios_programas_acaba_mal_si_acaba_mal_alguno():
-    for estados in itertools.product((0, 2), repeat=3):
-        programas = [SimpleNamespace(nombre="x", titulo="X", estado=e) for e in estados]
-        fingido = SimpleNamespace(elige=lambda *_: programas, ensena=lambda programa, *_: programa.estado)
-        fingido.compila_elegidos, fingido.t = lambda *_: None, SimpleNamespace(suelta=lambda: None)
-        que = SimpleNamespace(resto=[], vigila=False, programa="ch01")
-        assert lab.Laboratorio.ver(fingido, que) == max(estados)
 
 
 def test_un_cociente_cumple_no_cumple_o_no_se_sabe():
@@ -384,7 +388,9 @@ def test_de_un_pixel_se_dice_todo_hasta_un_limite():
 
 
 def test_una_cifra():
-    for x, texto in (cifra.split(" ", 1) for cifra in CIFRAS.split(", ")):
+    dicen = "nan —, 0 0, inf no vale, 0.0123 0.0123, 12.345 12.3, -1.5 -1.5, 999.4 999, 999.6 1\u202f000, 0.001 0.001"
+    dicen += ", 1234567 1\u202f234\u202f567, 1.23e-9 1.2·10⁻⁹, 2e7 2.0·10⁷"
+    for x, texto in (cifra.split(" ", 1) for cifra in dicen.split(", ")):
         assert paginas.cifra(float(x)) == texto
 
 

@@ -16,7 +16,7 @@ from mentira import RAIZ, ejecutable, siembra
 
 sys.path.insert(0, str(RAIZ / "herramientas"))
 import lab
-from base import construye, paquetes
+from base import catalogo, construye, paquetes
 from base.procesos import Fallo
 
 
@@ -94,15 +94,45 @@ def test_lo_que_se_pasa_a_ctest(pedido, palabras):
     assert lab.Laboratorio.para_ctest(lab.analizador("prueba").parse_args(pedido.split())) == palabras
 
 
-def test_lo_que_se_pide_en_un_fichero_va_adonde_se_esta(taller, tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    laboratorio = lab.Laboratorio(taller.raiz, tmp_path)
+HACEN = "galeria|web|windows|lista --docs|mide|prueba|prueba --apunta|prueba --junit x|dora todo|muta|ver ch01"
+
+
+@pytest.mark.parametrize("pedido", HACEN.split("|"))
+def test_si_algo_falla_acaba_mal_o_se_dice(taller, tmp_path, monkeypatch, capsys, pedido):
+    """Cada paso de cada orden, uno a uno: instalar, configurar, compilar, lo que ejecuta y a quien se lo pasa. Y lo que
+    se pide en un fichero va adonde se está."""
+    hechos, laboratorio = [], lab.Laboratorio(taller.raiz, tmp_path)
     laboratorio.t, laboratorio.build = taller, taller.build
-    for quien, que in (paquetes, "instala"), (taller, "configura"), (taller, "compila"):
-        monkeypatch.setattr(quien, que, lambda *_: True)
-    monkeypatch.setattr(lab, "corre", lambda *_, **__: siembra(taller.build, {"pruebas.xml": "<x/>"}))
-    laboratorio.prueba(lab.entiende("prueba", ["--junit", "uno.xml"]))
-    assert (tmp_path / "uno.xml").read_text() == "<x/>"
+
+    def paso(*que, **_):
+        hechos.append(que)
+        siembra(taller.build, {"pruebas.xml": "<x/>"})
+        return int(len(hechos) == mal)
+
+    def falla(*que, **_):
+        if paso(*que):
+            raise Fallo("mal")
+
+    for quien, que in (paquetes, "instala"), (taller, "configura"), (taller, "compila"), (laboratorio, "pasa_a"):
+        monkeypatch.setattr(quien, que, falla)
+    programas = [catalogo.Programa(catalogo.Capitulo("ch01_x", ""), nombre, "") for nombre in "abc"]
+    monkeypatch.setattr(catalogo, "lee_programas", lambda _: programas)
+    monkeypatch.setattr(lab, "corre", paso)
+    monkeypatch.setattr(lab, "CODEMIRROR", tmp_path)
+    monkeypatch.setattr(lab.shutil, "which", str)
+    monkeypatch.delenv("DISPLAY", raising=False)
+    siembra(taller.build, {"sin_ventana": "osmesa", "compila.log": ""})
+    orden, *palabras = pedido.split()
+    for mal in range(20):
+        hechos.clear()
+        try:
+            estado = getattr(laboratorio, orden)(lab.entiende(orden, palabras))
+        except (Fallo, SystemExit) as fin:
+            estado = getattr(fin, "code", 1)
+        if mal > len(hechos):
+            break
+        assert bool(estado) == bool(mal) or "lab: " in capsys.readouterr().err, hechos[-1]
+    assert 2 < mal < 19 and not estado and (tmp_path / "x").exists() == ("x" in palabras)
 
 
 def test_las_ordenes_de_los_documentos_se_entienden():

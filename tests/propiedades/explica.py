@@ -47,7 +47,7 @@ SIN_SOSPECHAS = {  # lo que se sospecha, con razón, y aquí es así a propósit
     "volumen_vista": "el plano lejos la corta",  # es lo que enseña
     "tiras": "«diametroPunto»",  # solo hace falta cuando se dibujan los puntos
 }
-TALLAS = "960x3", "3x960", "1x1"
+TALLAS = "960x3", "3x960", "1x1", "240x180"
 COPIADO = "copiado de otro framebuffer"
 PASAN = "escrito", "profundidad", "mascara"  # los que llegan al test de profundidad
 VEREDICTOS = *PASAN, "ajeno", "cara", "descartado", "nada", "plantilla", "recorte"
@@ -85,12 +85,8 @@ def fallos_de_tests(suceso):
         pasa = COMPARA[funcion](int(referencia), suceso["plantillaAntes"])
         if veredicto != "descartado" and pasa == (veredicto == "plantilla"):
             yield f"se pide {suceso['plantillaPide']} y había {suceso['plantillaAntes']}"
-    if (
-        {"profundidadPide", "profundidad"} <= suceso.keys()
-        and suceso["profundidadAntes"] is not None
-        and veredicto in PASAN
-    ):
-        suya, habia = suceso["profundidad"], suceso["profundidadAntes"]
+    suya, habia = suceso.get("profundidad"), suceso.get("profundidadAntes")
+    if "profundidadPide" in suceso and suya is not None and habia is not None and veredicto in PASAN:
         pasa = COMPARA[suceso["profundidadPide"]](suya, habia)
         if abs(suya - habia) > CASI and pasa == (veredicto == "profundidad"):
             yield f"se pide {suceso['profundidadPide']}, {suya}, y había {habia}"
@@ -285,20 +281,41 @@ def fallos_de_caso(build, enlace, caso, cuantos):
     return [f"{enlace}, {caso.fichero}: {fallo}" for fallo in fallos]
 
 
-def fallos_de_talla(build, programa, talla):
-    """En una ventana de unos píxeles cada imagen que se da tiene los suyos, y alguno."""
+def fallos_de_imagenes(build, programa, talla):
+    """Cada imagen que se da tiene los bytes de los suyos, y alguno; lo que cambia una orden es donde no es como la de
+    antes; la última es la que se ve, y en la de la profundidad, más lejos es más claro."""
+    ancho, alto = map(int, talla.split("x"))
+    puntos = [(ancho * i // 4, alto * j // 4) for i in range(4) for j in range(4)]
     with tempfile.TemporaryDirectory() as carpeta:
-        pide = {"LAB_EXPLICA": "e.json", "LAB_EXPLICA_PIXELES": "0,0", "LAB_EXPLICA_IMAGENES": "1"}
-        entorno = {**os.environ, "LD_PRELOAD": str(build / "herramientas/explica/libexplica.so"), **pide}
-        orden = [programa.ejecutable(build), "-geometry", talla]
-        subprocess.run(orden, env=entorno, cwd=carpeta, capture_output=True, check=True)
-        ordenes = json.loads(Path(carpeta, "e.json").read_text())["ordenes"]
-    for orden in ordenes:
-        for dada in (orden[que] for que in ("miniatura", "profundidad", "plantilla") if que in orden):
-            hay = len(base64.b64decode(dada["datos"]))
-            if not hay or hay != dada["ancho"] * dada["alto"] * dada["canales"]:
-                return [f"{programa.nombre}, a {talla}: de la orden {orden['n']}, una imagen de {hay} bytes"]
-    return []
+        pide = {"LAB_EXPLICA": "e.json", "LAB_EXPLICA_PIXELES": " ".join(f"{x},{y}" for x, y in puntos)}
+        pide |= {"LD_PRELOAD": str(build / "herramientas/explica/libexplica.so"), "LAB_EXPLICA_IMAGENES": "1"}
+        orden = [programa.ejecutable(build), "-geometry", talla, "-ppm", "imagen.ppm"]
+        subprocess.run(orden, env={**os.environ, **pide}, cwd=carpeta, capture_output=True, check=True)
+        cuadro = json.loads(Path(carpeta, "e.json").read_text())
+        final = Path(carpeta, "imagen.ppm").read_bytes()[-3 * ancho * alto :]
+    quedan, lejos, fallos = {}, [], []
+    cuales = "miniatura", "profundidad", "plantilla"
+    for orden, que in ((orden, que) for orden in cuadro["ordenes"] for que in cuales if que in orden):
+        dada, suya = orden[que], (orden["framebuffer"], que)
+        imagen, antes = base64.b64decode(dada["datos"]), quedan.get(suya, b"")
+        quedan[suya] = imagen
+        if not imagen or len(imagen) != dada["ancho"] * dada["alto"] * dada["canales"]:
+            fallos.append(f"de la orden {orden['n']}, una imagen de {len(imagen)} bytes")
+        elif que == "miniatura" and [dada["ancho"], dada["alto"]] == orden["talla"]:
+            cambian = [i // 3 for i in range(0, len(imagen), 3) if imagen[i : i + 3] != antes[i : i + 3]]
+            filas, columnas = ([f(i, dada["ancho"]) for i in cambian] for f in (operator.floordiv, operator.mod))
+            lados = [max(lado) - min(lado) + 1 for lado in (columnas, filas)]
+            if [orden["cambian"], *orden["donde"]] != [len(cambian), min(columnas), min(filas), *lados]:
+                fallos.append(f"la orden {orden['n']} cambia {len(cambian)} y se dice {orden['donde']}")
+    grises = quedan.get(("la ventana", "profundidad"))
+    for (x, y), explicado in zip(puntos, cuadro["pixeles"] if grises and ancho <= ANCHO else ()):  # si no, va menor
+        hondos = [s["profundidadDespues"] for s in explicado["historia"] if s["framebuffer"] == 0]
+        lejos += [(hondo, grises[y * ancho + x]) for hondo in hondos[-1:]]
+    if ancho <= ANCHO and quedan.get(("la ventana", "miniatura"), final) != final:
+        fallos.append("la última imagen no es la que se ve")
+    if [gris for _, gris in sorted(lejos)] != sorted(gris for _, gris in lejos):
+        fallos.append(f"no es más claro lo que está más lejos: {sorted(lejos)}")
+    return [f"{programa.nombre}, a {talla}: {fallo}" for fallo in fallos]
 
 
 def al_azar(de, cuantos, golden):
@@ -325,16 +342,11 @@ def main():
     por_enlace = {pedido.enlace or usado: elegidos}
     if not pedido.enlace and (build / "egl").is_dir():
         por_enlace.setdefault("egl", elegidos[::10])
-    trabajos = [
-        (enlace, caso)
-        for enlace, suyos in por_enlace.items()
-        for p in suyos
-        for caso in (p.casos if pedido.casos else p.casos[:1])
-    ]
-
+    cuantos = None if pedido.casos else 1
+    trabajos = [(enlace, c) for enlace, suyos in por_enlace.items() for p in suyos for c in p.casos[:cuantos]]
     with ThreadPoolExecutor(os.cpu_count()) as hilos:
         de_casos = hilos.map(lambda t: fallos_de_caso(build, *t, pedido.pixeles), trabajos)
-        de_tallas = hilos.map(lambda t: fallos_de_talla(build, *t), itertools.product(elegidos[::10], TALLAS))
+        de_tallas = hilos.map(lambda t: fallos_de_imagenes(build, *t), itertools.product(elegidos[::10], TALLAS))
         fallos = [fallo for suyos in (*de_casos, *de_tallas) for fallo in suyos]
     print("\n".join(fallos))
     print(f"{len(trabajos)} cuadros, {len(trabajos) * pedido.pixeles} píxeles, {len(fallos)} fallos")
