@@ -166,10 +166,9 @@ def apt(monkeypatch, tmp_path, request):
         registro.write_text(hay.estados.get("dice", "E: no\n"))
         return hay.estados.get(palabras[0], 0)
 
-    dicho = lambda: request.param + "".join(f"{p} installed\n" for p in hay.puestos)
-    dpkg = lambda *orden: dicho() if orden[0] == "dpkg-query" else ""
+    puestos = lambda: request.param + "".join(f"{p} installed\n" for p in hay.puestos)
     monkeypatch.setattr(paquetes, "apt", llama)
-    monkeypatch.setattr(paquetes, "escrito", dpkg)
+    monkeypatch.setattr(paquetes, "escrito", lambda quien, *_: puestos() if quien == "dpkg-query" else "")
     monkeypatch.setattr(paquetes.os, "getuid", lambda: hay.uid)
     monkeypatch.setattr(paquetes.shutil, "which", lambda quien: quien if quien in hay.tiene else None)
     monkeypatch.delenv("LAB_SIN_INSTALAR", raising=False)

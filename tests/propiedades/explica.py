@@ -293,8 +293,7 @@ def fallos_de_imagenes(build, programa, talla):
         subprocess.run(orden, env={**os.environ, **pide}, cwd=carpeta, capture_output=True, check=True)
         cuadro = json.loads(Path(carpeta, "e.json").read_text())
         final = Path(carpeta, "imagen.ppm").read_bytes()[-3 * ancho * alto :]
-    quedan, lejos, fallos = {}, [], []
-    cuales = "miniatura", "profundidad", "plantilla"
+    quedan, lejos, fallos, cuales = {}, [], [], ("miniatura", "profundidad", "plantilla")
     for orden, que in ((orden, que) for orden in cuadro["ordenes"] for que in cuales if que in orden):
         dada, suya = orden[que], (orden["framebuffer"], que)
         imagen, antes = base64.b64decode(dada["datos"]), quedan.get(suya, b"")
