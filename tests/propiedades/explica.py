@@ -293,8 +293,8 @@ def fallos_de_imagenes(build, programa, talla):
         subprocess.run(orden, env={**os.environ, **pide}, cwd=carpeta, capture_output=True, check=True)
         cuadro = json.loads(Path(carpeta, "e.json").read_text())
         final = Path(carpeta, "imagen.ppm").read_bytes()[-3 * ancho * alto :]
-    quedan, lejos, fallos, cuales = {}, [], [], ("miniatura", "profundidad", "plantilla")
-    for orden, que in ((orden, que) for orden in cuadro["ordenes"] for que in cuales if que in orden):
+    quedan, lejos, fallos = {}, [], []
+    for orden, que in ((o, q) for o in cuadro["ordenes"] for q in ("miniatura", "profundidad", "plantilla") if q in o):
         dada, suya = orden[que], (orden["framebuffer"], que)
         imagen, antes = base64.b64decode(dada["datos"]), quedan.get(suya, b"")
         quedan[suya] = imagen
@@ -303,13 +303,14 @@ def fallos_de_imagenes(build, programa, talla):
         elif que == "miniatura" and [dada["ancho"], dada["alto"]] == orden["talla"]:
             cambian = [i // 3 for i in range(0, len(imagen), 3) if imagen[i : i + 3] != antes[i : i + 3]]
             filas, columnas = ([f(i, dada["ancho"]) for i in cambian] for f in (operator.floordiv, operator.mod))
-            lados = [max(lado) - min(lado) + 1 for lado in (columnas, filas)]
-            if [orden["cambian"], *orden["donde"]] != [len(cambian), min(columnas), min(filas), *lados]:
-                fallos.append(f"la orden {orden['n']} cambia {len(cambian)} y se dice {orden['donde']}")
+            desde, hasta = ([cual(lado, default=0) for lado in (columnas, filas)] for cual in (min, max))
+            hay = [len(cambian), *desde, *(b - a + 1 for a, b in zip(desde, hasta))]
+            if [orden["cambian"], *orden["donde"]] != hay:
+                fallos.append(f"la orden {orden['n']} cambia {hay} y se dice {orden['donde']}")
     grises = quedan.get(("la ventana", "profundidad"))
     for (x, y), explicado in zip(puntos, cuadro["pixeles"] if grises and ancho <= ANCHO else ()):  # si no, va menor
-        hondos = [s["profundidadDespues"] for s in explicado["historia"] if s["framebuffer"] == 0]
-        lejos += [(hondo, grises[y * ancho + x]) for hondo in hondos[-1:]]
+        hondos = [s["profundidadDespues"] for s in explicado["historia"] if s["framebuffer"] == 0][-1:]
+        lejos += ((hondo, grises[y * ancho + x]) for hondo in hondos)
     if ancho <= ANCHO and quedan.get(("la ventana", "miniatura"), final) != final:
         fallos.append("la última imagen no es la que se ve")
     if [gris for _, gris in sorted(lejos)] != sorted(gris for _, gris in lejos):
