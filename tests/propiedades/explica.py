@@ -282,8 +282,7 @@ def fallos_de_caso(build, enlace, caso, cuantos):
 
 
 def fallos_de_imagenes(build, programa, talla):
-    """Cada imagen que se da tiene los bytes de los suyos, y alguno; lo que cambia una orden es donde no es como la de
-    antes; la última es la que se ve, y en la de la profundidad, más lejos es más claro."""
+    """Cada imagen tiene sus bytes, y lo que cambia una orden es lo que no es como antes; más lejos es más claro."""
     ancho, alto = map(int, talla.split("x"))
     puntos = [(ancho * i // 4, alto * j // 4) for i in range(4) for j in range(4)]
     with tempfile.TemporaryDirectory() as carpeta:
