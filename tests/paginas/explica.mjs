@@ -145,16 +145,6 @@ const maneras = {
     await p.da(() => todos('.explicacion .tira button').at(-1).click());
     const laminas = await p.da(() => todos('.explicacion .laminas figcaption').map(f => f.textContent.split(':')[0]));
     for (const que of ['color', 'profundidad', 'plantilla']) assert.ok(laminas.includes(que), que);
-    await p.abre('#antialiasing');
-    await p.pulsa('.explica-cuadro');
-    await p.acaba('el cuadro', () => todos('.explicacion .tira li').length > 9);
-    const vistas = await p.da(() => todos('.explicacion .tira button').map(b => {
-      b.click();
-      return [una('.una-orden > p').textContent.match(/, en ([^,.]*)/)[1], una('.laminas img')?.src];
-    }));
-    const lugares = new Set(vistas.map(([donde]) => donde)), imagenes = new Set(vistas.map(([, src]) => src));
-    assert.equal(lugares.size, 2);
-    assert.equal(new Set(vistas.map(String)).size, imagenes.size, 'cada imagen es de un framebuffer');
     await p.abre('#luces_animadas/explica/480,360');
     await seVe(p);
     const antes = await p.da(() => hecho.ordenes.join());

@@ -18,6 +18,7 @@ import { conInclusiones, lineasDe } from '../../herramientas/web/lineas.mjs';
 import { acorta, aparte, nota } from '../../herramientas/web/nota.mjs';
 import { ordenDeTecla } from '../../herramientas/web/teclas.mjs';
 import { nombreLlano } from '../../herramientas/web/textos.mjs';
+import './cuadro.mjs';
 import { dePython } from './navegador.mjs';
 
 const [raiz, build] = process.argv.slice(2);
