@@ -127,8 +127,6 @@ def test_el_frente_de_pareto_y_la_elegida():
     assert optima == {"a": True, "b": None, "b, x": False, "bc": None, "e": True}
     assert [x.nombre for x in t.variantes if x.elegida] == ["b", "b, x"]
     assert [x.nombre for x in t.elegida_fuera] == ["b, x"]
-    no_se_sabe = [x.optima is not False for x in t.variantes if not x.elegida]  # y en la gráfica no va en gris
-    assert no_se_sabe == [grafica.color(x) == grafica.AZUL for x in t.variantes if not x.elegida]
 
 
 def test_las_columnas_de_un_tsv(tmp_path):
@@ -197,11 +195,63 @@ def test_en_rojo_va_lo_que_pasa(tmp_path):
     assert rojas == [[f"{ms[-1]}"] if ms[-1] > 100 else [] for ms in tardan]
 
 
-def test_la_meta_del_peor_es_del_peor():
-    for orden in itertools.permutations((1, 2, 3)):  # veces el suelo
-        tabla = [costes.Coste(f"p{v}", 1, 1, [v] * 9, [1, 1], 1, 1, 1, 1, []) for v in orden]
-        (_, mediana, *_), (que, peor, *_) = informe.metas([], tabla)
-        assert que.endswith("el peor, p3") and (mediana.mediana, peor.mediana) == (2, 3)
+def en_el_informe(pagina, t):
+    """De cada variante que tiene error, el color que le toca por cómo va en su tabla."""
+    suya = pagina.split(f'<section id="{t.nombre}">')[1].split("</section>")[0]
+    for clase, n, nombre in re.findall(r'<tr class="(.*)"><td><small>(\d+)</small> (.*?)</td>', suya):
+        if not math.isnan(t.variantes[int(n) - 1].error):
+            azul = "optima" in clase or nombre[-1] == "?"
+            yield n, grafica.ROJO if "elegida" in clase else grafica.AZUL if azul else grafica.GRIS
+
+
+def en_la_grafica(t, guion):
+    """De cada una, el color con que va; cuanto más error, más arriba, y todas dentro."""
+    alturas = {}
+    for color, suyas in re.findall(r"\$c(\w+) << FIN\n(.*?)\nFIN", guion, re.S):
+        for y, n in re.findall(r"^\S+ ([\d.e-]+) \S+ \S+ (\d+)$", suyas, re.M):
+            alturas[t.variantes[int(n) - 1].error] = float(y)
+            yield n, f"#{color}"
+    abajo, arriba = map(float, re.search(r"yrange \[(.*):(.*)\]", guion).groups())
+    assert [abajo, *(alturas[e] for e in sorted(alturas)), arriba] == sorted({abajo, *alturas.values(), arriba})
+
+
+def test_el_informe_dice_lo_que_se_ha_medido(tmp_path, monkeypatch):
+    """De lo que sea: cada variante, igual en la gráfica y en la tabla; y la mejor imagen, la peor y el peor lo son."""
+    azar, guion, metas = random.Random(1), [], [meta.split("|") for meta in informe.METAS.split("\n")[1:-1]]
+    monkeypatch.setattr(grafica, "ejecuta", lambda _, input, **__: guion.append(input) or "")
+    monkeypatch.setattr(tecnicas, "en_png", lambda _: b"")
+    mediana = lambda tiempos: sorted(tiempos)[len(tiempos) // 2]
+    for vuelta in range(20):
+        tardan = lambda: [azar.uniform(0.9, 1.1) * paso for paso in [azar.uniform(0.5, 2)] * 9]
+        filas = [costes.Coste(f"p{i}", 1, 1, tardan(), [1, 1], 1, 1, 1, 1, [""] * 3) for i in range(5)]
+        monkeypatch.setattr(costes, "costes", lambda *_: (filas, [1]))
+        de = {(t, v): tardan() for _, t, *dos, _ in metas for v in ("más", *dos)}
+        hechas = [tecnica(elegida="más", nombre=nombre) for nombre in dict.fromkeys(t for t, _ in de)]
+        for t in hechas:
+            for _, nombre in (que for que in de if que[0] == t.nombre):
+                error = azar.choice([0, 1e-3, 7, math.inf, math.nan]) if t.variantes else 0.5
+                t.variantes.append(replace(variante(nombre, 1, error), tiempos=de[t.nombre, nombre]))
+            tecnicas.marca(t)
+            con = {n: v.error for n, v in enumerate(t.variantes, 1) if v.error == v.error and azar.random() < 0.7}
+            siembra(en := tmp_path / f"{vuelta}", {f"{t.nombre}-{n}.ppm": "" for n in con})
+            tecnicas.imagenes(t, en, en)
+            assert [v.error for _, v, _ in t.imagenes[::2]] == [min(con.values()), max(con.values())] if con else True
+        informe.informa(RAIZ, BUILD, tmp_path, hechas, {}, True)
+        pagina = html.unescape((tmp_path / "index.html").read_text())
+        for t in hechas:
+            grafica.dibuja(t, tmp_path / "x.svg")
+            assert dict(en_la_grafica(t, guion[-1])) == dict(en_el_informe(pagina, t))
+        fila = r"<tr><td>(.*)</td><td>(\S+) <small>\((\S+)–(\S+)\)</small></td><td>(.) (\S+)</td>\s*<td (.*?)>(.*)</td>"
+        dichas, veces = re.findall(fila, pagina), {c.programa: c.veces_suelo for c in filas}
+        peor = max(veces, key=lambda p: mediana(veces[p]))
+        debe = [mediana([a / b for a, b in zip(de[t, lenta], de[t, rapida])]) for _, t, lenta, rapida, _ in metas]
+        debe += mediana([mediana(ronda) for ronda in zip(*veces.values())]), mediana(veces[peor])
+        assert [float(m) for _, m, *_ in dichas] == pytest.approx(debe, rel=0.01) and dichas[-1][0].endswith(peor)
+        for _, medido, menor, mayor, signo, pide, mal, llega in dichas:
+            menor, mayor, pide = map(float, (menor, mayor, pide))
+            si, no = (menor >= pide, mayor < pide) if signo == "≥" else (mayor <= pide, menor > pide)
+            assert menor <= float(medido) <= mayor and bool(mal) == (llega == "no")
+            assert pide in (menor, mayor) or llega == ("sí" if si else "no" if no else "no se distingue")
 
 
 def test_los_errores_de_un_programa(tmp_path):
@@ -333,12 +383,6 @@ def test_una_imagen_se_rehace_si_cambia_algo_de_lo_que_lee(tmp_path, monkeypatch
     (tmp_path / "otro").chmod(0o755)
     monkeypatch.setattr(type(p), "ejecutable", lambda *_: tmp_path / "otro")  # vuelto a compilar
     assert [galeria.dibuja(p, otro, tmp_path) for _ in range(2)] == [True, False]
-
-
-def test_un_cociente_cumple_no_cumple_o_no_se_sabe():
-    de = {(1.1, 1.2, 1.3): (True, False), (0.9, 0.95, 1.1): (None, None), (0.7, 0.8, 0.9): (False, True)}
-    for tres, cumple in de.items():
-        assert tuple(cocientes.Cociente(*tres).cumple(1, mayor) for mayor in (True, False)) == cumple
 
 
 def test_con_muestras_se_suaviza_lo_que_separa_dos_colores_y_nada_mas(tmp_path):

@@ -27,8 +27,7 @@ class Nodo {
 
 Object.assign(globalThis, { requestAnimationFrame() {}, ResizeObserver: class { observe() {} } });
 
-/// Lo que da ./lab explica --json de un píxel, y lo que dice de él: con mezcla, con un bucle, con otro framebuffer y con
-/// pruebas que no se pasan.
+/// De un píxel, lo que da --json y lo que se dice: con mezcla, bucles, otro framebuffer y pruebas que no se pasan.
 const EXPLICADOS = dePython(`import contextlib, io, json, sys, tempfile
 from pathlib import Path
 from base import catalogo
@@ -46,8 +45,8 @@ print(json.dumps(hechos))`, 'orden_transparencia 240 340', 'convolucion 600 420'
 
 /// Cada trozo de cada línea de la terminal, de las que siguen a la que empieza así, está en la fila que le toca.
 function estan(dicho, empieza, filas) {
-  const lineas = dicho.split(empieza)[1]?.split('\n').slice(1) ?? [], fin = lineas.findIndex(l => !/^ *\d+ {2}/.test(l));
-  for (const [i, linea] of lineas.slice(0, fin).entries())
+  const suyas = dicho.split(empieza)[1]?.split('\n').slice(1) ?? [], fin = suyas.findIndex(l => !/^ *\d+ {2}/.test(l));
+  for (const [i, linea] of suyas.slice(0, fin).entries())
     for (const trozo of linea.replace(/e-0/g, 'e-').trim().split(/ · |: | {2}| → (?=\()| de (?=\d)|, nivel| \+ /))
       assert.ok(filas[i]?.textContent.includes(trozo.replaceAll('−', '-')), `«${trozo}» no está en la fila ${i}`);
 }
