@@ -10,7 +10,7 @@ in vec3 ecPosicion, normal;
 out vec4 colorFragmento;
 
 void main() {
-    if (dot(corte, vec4(ecPosicion, 1.0)) > 0.01) // y no 0: en el borde, una muestra del píxel puede estar detrás
+    if (dot(corte, vec4(ecPosicion, 1.0)) > 0.02) // y no 0: junto al marco, una muestra del píxel puede estar detrás
         discard;
     colorFragmento = vec4(phong(material, La, luz, ecPosicion, normal), 1.0);
 }
