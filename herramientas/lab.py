@@ -99,8 +99,8 @@ class Laboratorio:
 
     def mio(self, orden, pedido, programas):
         """Lo que está en mios/; nada si es del laboratorio, que va antes."""
-        suyo = re.fullmatch(rf"(?:\./)?(?:mios|{re.escape(str(self.t.mios))})/([^/]*)(?:/[^/]*\.cpp|/)?", pedido)
-        nombre = suyo[1] if suyo else pedido.rstrip("/")
+        partes = Path(pedido.removeprefix(f"{self.t.mios.parent}/")).parts  # mios/NOMBRE, y quizá su fuente
+        nombre = partes[1] if partes[:1] == ("mios",) and len(partes) > 1 else pedido.rstrip("/")
         if nombre in ("", "mios"):
             hay = ", ".join(sorted(f"mios/{c.name}" for c in self.t.mios.glob("*") if c.is_dir())) or "nada aún"
             raise Fallo(f"{orden}: di cuál de lo que hay en mios: {hay}")

@@ -80,6 +80,9 @@ def test_sin_pruebas_no_se_prueba(lab, orden):
 
 def test_nuevo_y_corrige(lab):
     lab("nuevo E3.5 x", dice="/mios/x")
+    for como in "x", "mios/x", "./mios/x/", "mios/x/x.cpp", f"{RAIZ}/mios/x", f"{RAIZ}/mios/x/x.cpp":
+        lab(f"ver {como} -ppm f.ppm")
+        assert lab.deja("f.ppm", b"P6")
     lab("corrige x --guiones 1", 1, "x, E3.5: 0 de 100 (")
     assert "punto de partida" in (lab.sitio / "mios/x/correccion/index.html").read_text()
     orden = ["script", "-qec", shlex.join([*map(str, lab.jaula), str(RAIZ / "lab"), *"corrige x --guiones 1".split()])]
@@ -90,8 +93,6 @@ def test_nuevo_y_corrige(lab):
 def test_ver(lab):
     lab("ver E3.5", dice="lo he dibujado en grua.png")
     assert lab.deja("grua.png", b"\x89PNG")
-    lab("ver grua -ppm f.ppm")
-    assert lab.deja("f.ppm", b"P6")
     lab("ver grua -volando", 2, "no entiendo «-volando»")
     lab("ver info_opengl", dice="GLSL: ")
 
