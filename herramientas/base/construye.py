@@ -118,7 +118,7 @@ class Taller:
             texto = cache.read_text(errors="replace")
             de_aqui = f"CMAKE_HOME_DIRECTORY:INTERNAL={self.raiz}\n" in texto
             if not de_aqui or "CMAKE_GENERATOR:INTERNAL=Ninja\n" not in texto:
-                # una copia, o el laboratorio se ha movido, o lo ha configurado alguien a mano con otra cosa
+                aviso(f"{carpeta} se hizo en otra carpeta, o a mano con otra cosa: la vacío y la hago otra vez")
                 for que in carpeta.iterdir():
                     if que.name != ".cerrojo":
                         shutil.rmtree(que) if que.is_dir() and not que.is_symlink() else que.unlink()

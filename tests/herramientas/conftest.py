@@ -6,7 +6,7 @@ from types import SimpleNamespace
 import pytest
 
 RAIZ = Path(__file__).parents[2]
-CARPETAS = "herramientas", "tests/ordenes", "tests/paginas", "tests/propiedades"
+CARPETAS = "herramientas", "tests/ordenes", "tests/paginas"
 sys.path[:0] = [str(RAIZ / carpeta) for carpeta in CARPETAS]
 from ejercicios.corrige import clase as de_clase
 

@@ -766,6 +766,8 @@ def test_de_que_avisa_el_compilador(tmp_path):
     for i, (dice, ficheros) in enumerate(no_compilan.items()):
         with pytest.raises(entrega.Rechazo, match=re.escape(f"no compila: {dice}")):
             suyo.compila(ficheros, tmp_path / f"mal{i}")
+    with pytest.raises(entrega.Rechazo, match="no compila: a.cpp:1"):  # del primer intento, que son todos
+        suyo.compila({"a.cpp": "uno", "b.cpp": "dos"}, tmp_path / "dos", intentos=[["a.cpp"], ["b.cpp"]])
 
 
 @con_jaula

@@ -8,7 +8,6 @@ import re
 import subprocess
 import sys
 import time
-from importlib.machinery import SourceFileLoader
 from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
@@ -18,6 +17,7 @@ import pytest
 from base import catalogo, controles, defectos, evidencia, fuentes, guiones, libro, marcas, paginas, procesos
 from ejercicios import en_pagina, nuevo
 from ejercicios.corrige import entrega, shaders
+from explica import fuentes as de_shaders, orden as de_explica, palabras
 from galeria import dibuja
 from galeria.pagina import AQUI as GALERIA, MODULOS, PaginaGaleria
 from informe import cocientes, costes, grafica, informe, tecnicas
@@ -405,7 +405,6 @@ def test_con_muestras_se_suaviza_lo_que_separa_dos_colores_y_nada_mas(tmp_path):
 
 def test_de_un_pixel_se_dice_todo_hasta_un_limite():
     """De cada lista, ninguna, una, las que caben y más: las primeras, en su orden, y de qué es lo demás."""
-    palabras = SourceFileLoader("palabras", str(RAIZ / "herramientas/explica/palabras.py")).load_module()
     ordenes = {n: {"n": n, "titulo": f"T{n}", "pruebas": ["mezcla"], "nada": f"N{n}"} for n in range(9)}
 
     def numeros(filas, de):
@@ -455,6 +454,29 @@ def test_cada_linea_de_un_shader_en_su_fichero():
     textos = {"a": '\ufeffuno\r\n/* //\n#include "b"\n*/ // /*\n#include "b"\nfin\n', "b": '/*/dos\r#include "a"'}
     lineas = fuentes.con_sitios(lambda nombre: (nombre, textos[nombre]), "a")
     assert [f"{f}{n}" for f, n, _ in lineas] == ["a1", "a2", "a3", "a4", "b1", "b2", "a6"]
+
+
+def test_un_shader_es_de_la_carpeta_en_que_se_busca_antes(tmp_path, monkeypatch):
+    raices = [tmp_path / quien for quien in "abc"]
+    for ultima in raices:
+        siembra(ultima, {f"{ultima.name}.frag": "void main() {}\n"})
+        monkeypatch.setenv("LAB_RAIZ", ":".join(map(str, raices[:-1])))
+        assert de_shaders.reconoce(raices[-1], [{"programa": 1, "frag": "void main() {}\n"}]) == {1: "a.frag"}
+
+
+DEJA = """echo '{"sospechas": []}' >$LAB_EXPLICA"""
+
+
+@pytest.mark.parametrize("deja", (DEJA, "true"))
+def test_un_programa_explicado_que_acaba_mal(tmp_path, deja):
+    """Lo último que escribe es por qué, haya dejado su cuadro o no."""
+    siembra(tmp_path, {"p": f"#!/bin/sh\n{deja}\nprintf 'aviso\nel error\n' >&2\nexit 3\n"})
+    (tmp_path / "p").chmod(0o755)
+    try:
+        [dicho] = de_explica.ejecuta(tmp_path, tmp_path / "p", "", [])["sospechas"]
+        assert (deja, dicho["dice"]) == (DEJA, "el programa acaba mal: el error")
+    except procesos.Fallo as fallo:
+        assert (deja, str(fallo).splitlines()[-2:]) == ("true", ["aviso", "el error"])
 
 
 EN_BREVE = {
