@@ -348,11 +348,16 @@ def test_un_numero_con_pocas_cifras():
 
 
 def test_donde_se_apartan_dos_imagenes():
-    def imagen(*colores):
-        return 20, 10, b"".join(bytes([colores[0 if 5 < i // 20 < 9 and i % 20 > 14 else 1]] * 3) for i in range(200))
+    def imagen(dentro, fuera, *sitio, lado=5):
+        hay = (all(d <= k < d + lado for k, d in zip(divmod(i, 30), sitio)) for i in range(600))
+        return 30, 20, b"".join(bytes([dentro if algo else fuera] * 3) for algo in hay)
 
-    assert veredicto.en_que(imagen(9, 1), imagen(50, 80)) == "las formas están bien; los colores, no"
-    assert veredicto.en_que(imagen(9, 1), imagen(1, 1)) == "abajo a la derecha"
+    assert veredicto.en_que(imagen(9, 1, 6, 7), imagen(50, 80, 6, 7)) == "las formas están bien; los colores, no"
+    assert veredicto.en_que(imagen(9, 1, 0, 0, lado=18), imagen(1, 1, 0, 0)) == "casi toda la imagen"
+    filas, columnas = {0: "arriba", 8: "", 15: "abajo"}, {0: "a la izquierda", 13: "", 25: "a la derecha"}
+    for y, x in itertools.product(filas, columnas):
+        debe = f"{filas[y]} {columnas[x]}".strip() or "en el centro"
+        assert veredicto.en_que(imagen(9, 1, y, x), imagen(1, 1, y, x)) == debe
     # es más larga, aunque casi todos sus bordes sean los mismos, o lo que sigue sea de otro color y no del fondo
     for ancha, resto in ((3, b"def"), (70, b"ghi")):
         barra = [
