@@ -491,8 +491,24 @@ EN_BREVE = {
 }
 
 
+ORDENES = {
+    "tecla d ×7": "pulsa d 7 veces",
+    "especial ARRIBA": "pulsa ↑",
+    "boton DERECHO abajo 3 4": "pulsa el botón derecho en 3, 4",
+    "boton IZQUIERDO arriba 3 4": "suelta el botón izquierdo en 3, 4",
+    "menu Vista/Perfil ñ": "elige en el menú Vista → Perfil ñ",
+    "arrastra 3 4": "arrastra hasta 3, 4",
+    "mueve 3 4": "lleva el ratón a 3, 4",
+    "rueda +1 3 4": "gira la rueda +1 en 3, 4",
+    "tamano 3 4": "pon la ventana a 3 × 4",
+    "espera 9": "espera 9 ms",
+    "otra 9": "otra 9",
+}
+
+
 def test_lo_que_hace_una_persona():
-    """De cada caso, todo y sin números de píxeles."""
+    """De cada caso, todo y sin números de píxeles; y cada orden."""
+    assert {orden: guiones.en_palabras(orden) for orden in ORDENES} == ORDENES
     for guion, dice in EN_BREVE.items():
         assert guiones.en_breve(guion, True) == dice
     assert guiones.en_breve("boton IZQUIERDO abajo 1 2; arrastra 3 4") == "arrastra"
@@ -624,7 +640,8 @@ def test_como_la_gente_escribe_una_referencia():
             except catalogo.Fallo as fallo:
                 assert lleva in str(fallo)
     assert "ch05" == catalogo.abrevia("ch5") == catalogo.abrevia("capítulo 5") == catalogo.abrevia("cap 05")
-    assert catalogo.juntas("grua 1 2 captura 5.1 -geometry 9".split()) == "grua 1 2 captura 5.1 -geometry 9".split()
+    for llanas in "grua 1 2 captura 5.1 -geometry 9", "listado grua 5.1":
+        assert catalogo.juntas(llanas.split()) == llanas.split()
     hay = nuevo.ejercicios(RAIZ, programas)
     assert {nuevo.ejercicio_pedido(p, hay) for p in ("E3.5", "e3.5", "3.5", "Ejercicio 3.5")} == {"E3.5"}
 

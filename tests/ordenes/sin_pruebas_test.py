@@ -38,6 +38,8 @@ class SinPruebas:
         dicho = r.stdout + r.stderr
         raro = "Traceback" in dicho or "\033" in dicho  # por dónde va, solo se dice en una terminal
         assert r.returncode == estado and dice in dicho and not raro, f"{r.returncode}\n{dicho}"
+        hechas = [h.replace(str(RAIZ), str(self.sitio)) for h in re.findall(r"Hecha: ([^\n:]+?)(?: \(.*)?\n", dicho)]
+        assert all(map(os.path.getsize, hechas)), hechas  # están, y con algo
         return dicho
 
     def deja(self, fichero, empieza):
