@@ -21,7 +21,6 @@ from explica import fuentes as de_shaders, orden as de_explica, palabras
 from galeria import dibuja
 from galeria.pagina import AQUI as GALERIA, MODULOS, PaginaGaleria
 from informe import cocientes, costes, grafica, informe, tecnicas
-from pruebas import dorado, fallos
 from web import pagina as de_la_pagina, taller
 from windows import paquete
 from mentira import BUILD, RAIZ, siembra
@@ -357,14 +356,6 @@ def test_lo_que_ocupa_la_pagina_y_si_es_otra(tmp_path, monkeypatch, capsys):
     monkeypatch.setattr(sys, "argv", ["x", *map(str, (RAIZ, BUILD, BUILD, tmp_path))])
     de_la_pagina.main()
     assert "(1.1 MB en total)" in capsys.readouterr().err
-
-
-def test_de_lo_que_falla_se_ve_lo_ultimo(tmp_path):
-    for largo in (0, fallos.MUCHO - 9, 3 * fallos.MUCHO):
-        caso = f'<testcase name="a" status="fail"><system-out>{"x" * largo} acaba</system-out></testcase>'
-        siembra(tmp_path, {"pruebas.xml": f"<a>{caso}</a>"})
-        (fallo,) = fallos.lee(tmp_path)
-        assert fallo.dice.endswith("acaba") and len(fallo.dice) <= fallos.MUCHO
 
 
 def test_una_imagen_se_rehace_si_cambia_algo_de_lo_que_lee(tmp_path, monkeypatch):
@@ -709,28 +700,6 @@ def test_un_defecto_plantado():
     for antes in ("return ", "d = ", "f(", "b ? c : "):
         with pytest.raises(ValueError, match="no es una instrucción entera"):
             defectos.cambia(f"{antes}a();", [mutante("a();", ";")])
-
-
-@pytest.mark.parametrize("no_se_puede", [[], ["a-uno: no"]])
-def test_se_dora_lo_que_cambia_o_nada(tmp_path, monkeypatch, no_se_puede):
-    def dibuja(raiz, build, sin_ventana, pedidos, ahora):
-        siembra(ahora, {"ch01_a/a-uno.txt": "otro\n", "ch01_a/a-dos.ppm": "P6 1 1 255\nabc"})
-        (ahora / "ch01_a/a.encima").unlink()
-        return no_se_puede
-
-    golden, hay = tmp_path / "tests/golden", {"a-uno.txt": "uno\n", "a.encima": "x\n", "a.txt": "a\n"}
-    siembra(golden / "ch01_a", hay)
-    monkeypatch.setattr(dorado, "dibuja", dibuja)
-    monkeypatch.setattr(sys, "argv", ["dorado", tmp_path, tmp_path / "build", "egl"])
-    if no_se_puede:
-        with pytest.raises(procesos.Fallo, match="a-uno: no"):
-            dorado.main()
-    else:
-        dorado.main()
-        hay |= {"a-uno.txt": "otro\n", "a-dos.ppm": "P6 1 1 255\nabc"}
-        del hay["a.encima"]
-        assert "-uno\n+otro" in (tmp_path / "build/dora/index.html").read_text()
-    assert {f.name: f.read_text() for f in (golden / "ch01_a").iterdir()} == hay
 
 
 def test_lo_que_se_le_dice_a_un_alumno(tmp_path):
