@@ -78,4 +78,8 @@ test('un cuadro: lo que dice la terminal está en la página, y cada orden ense�
       assert.equal(suya.de('pixel').length, +(pixel && o.framebuffer === 'la ventana' && Boolean(deSuyo('miniatura'))));
     }
   }
+  const [[, datos]] = EXPLICADOS, pagina = new Nodo('main'); // una matriz, que en GLSL va por columnas
+  Object.assign(datos.sombreado.fragmento.lineas.find(l => l.valor[0]), { tipo: 'mat2x3', valor: [1, 2, 3, 4, 5, 6] });
+  muestraCuadro(datos, pagina);
+  assert.deepEqual(pagina.de('matriz')[0].de('tr').map(fila => fila.textContent), ['14', '25', '36']);
 });

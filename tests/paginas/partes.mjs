@@ -394,7 +394,7 @@ test('dos imágenes: qué parte coincide, y dónde no', () => {
 
 test('los ejercicios: lo guardado y sus ficheros', () => {
   tabla(texto => [...leeResueltos(texto)].join(' '),
-    ['L5.1 L12.1', 'L5.1 L12.1'], ['', ''], [null, ''], ['{"a": 1} L5 <b> L5.1', 'L5.1']);
+    ['L5.1 L12.1 mi_ejercicio', 'L5.1 L12.1 mi_ejercicio'], ['', ''], [null, ''], ['{"a": 1} L5 <b> L5.1', 'L5.1']);
   tabla((suyos, rutas) => delEjercicio(suyos, rutas.split(' ')).join(' '),
     [['c/a.vert'], 'c/b.frag c/a.frag c/a.vert c/p.glsl c/a.cpp c/a.h', 'c/a.vert c/a.frag c/p.glsl']);
 });
