@@ -3,7 +3,8 @@
 // enorme; el contexto perdido y devuelto, y un shader que no deja acabar de dibujar.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
-import { renameSync } from 'node:fs';
+import { renameSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
 import { seBusca, seCopia, sonDelNavegador } from './comun.mjs';
 import { ABRE, CASOS, espera } from './navegador.mjs';
 
@@ -272,16 +273,13 @@ const adversidades = {
     await p.acaba('se abre', propia);
     assert.deepEqual(await p.lee(await p.da(propia)), ROJO_VERDE_AZUL_BLANCO);
     assert.notDeepEqual(await p.imagen(), antes);
-    await p.abre('#convolucion');
-    for (const vez of [1, 2]) { // el mismo, con el botón: el navegador no avisa de él si el campo no queda vacío
-      await p.da(() => {
-        const datos = new DataTransfer(), campo = una('.fichero input');
-        datos.items.add(new File(['P6 2 1 255\nabcdef'], 'foto.ppm'));
-        campo.files = datos.files;
-        campo.dispatchEvent(new Event('change'));
-      });
+    await p.abre('#mezcla');
+    const fotos = ['foto', 'otra'].map(foto => `${tmpdir()}/${foto}.ppm`), campo = await p.pagina.$('.fichero input');
+    for (const foto of fotos) writeFileSync(foto, 'P6 2 1 255\nabcdef');
+    for (const vez of [1, 3]) { // las mismas, con el botón: el navegador no avisa si el campo no queda vacío
+      await campo.uploadFile(...fotos);
       await p.acaba(`la vez ${vez}`, vez => sesion?.leidos.has(`/propias/${vez}-foto.ppm`) &&
-        una('.fichero input').value === '', vez);
+        sesion.leidos.has(`/propias/${vez + 1}-otra.ppm`) && una('.fichero input').value === '', vez);
     }
     await p.abre('#malla_vf');
     await p.suelta('nada.vf', Buffer.from('no'));
