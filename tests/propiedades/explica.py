@@ -62,16 +62,9 @@ def pixeles(imagen):
     return imagen.read_bytes()[-3 * ANCHO * ALTO :]
 
 
-COMPARA = {
-    "GL_NEVER": lambda a, b: False,
-    "GL_LESS": operator.lt,
-    "GL_EQUAL": operator.eq,
-    "GL_LEQUAL": operator.le,
-    "GL_GREATER": operator.gt,
-    "GL_NOTEQUAL": operator.ne,
-    "GL_GEQUAL": operator.ge,
-    "GL_ALWAYS": lambda a, b: True,
-}
+IGUALAN = operator.lt, operator.eq, operator.le, operator.gt, operator.ne, operator.ge, lambda a, b: 0, lambda a, b: 1
+FUNCIONES = "LESS EQUAL LEQUAL GREATER NOTEQUAL GEQUAL NEVER ALWAYS"
+COMPARA = dict(zip((f"GL_{nombre}" for nombre in FUNCIONES.split()), IGUALAN))
 CASI = 2e-6  # de profundidad: lo que puede cambiar al dibujar otra vez el triángulo solo
 
 
