@@ -116,8 +116,7 @@ Lienzo lienzoActual(int ancho, int alto, GLenum objetivo) {
     Lienzo l;
     l.nombre = GLuint(entero(dibujo ? GL_DRAW_FRAMEBUFFER_BINDING : GL_READ_FRAMEBUFFER_BINDING));
     l.buferColor = GLenum(entero(dibujo ? GL_DRAW_BUFFER0 : GL_READ_BUFFER));
-    const bool ventana = l.nombre == 0;
-    if (ventana) {
+    if (l.nombre == 0) { // la ventana
         l.ancho = ancho;
         l.alto = alto;
         bitsDeLaVentana(objetivo, l);

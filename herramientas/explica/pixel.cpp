@@ -277,13 +277,10 @@ void dibuja(const Orden &o, int numero, const Lienzo &l, Punto p, std::vector<Su
     const GLuint programa = GLuint(entero(GL_CURRENT_PROGRAM));
     if (!primitivas || !programa || primitivas->indices.empty() || glIsEnabled(GL_RASTERIZER_DISCARD))
         return o.hazla();
-    GLuint cobertura;
-    {
+    const GLuint cobertura = [&] {
         const Guardado guardado;
-        cobertura = sinDescartar(programa);
-        if (!cobertura)
-            cobertura = programa; // sin sus fuentes, lo que descarta no se ve
-    }
+        return sinDescartar(programa);
+    }();
     const bool dentro = !glIsEnabled(GL_SCISSOR_TEST) || enRecorte(p);
     const Pregunta q{l, p, programa, cobertura, dentro};
     if (o.instancias != 1)

@@ -230,7 +230,7 @@ void olvidaGemelos() {
 }
 
 GLuint sinDescartar(GLuint original) {
-    return gemelo(original, "sin descartar", [&]() -> GLuint {
+    const GLuint otro = gemelo(original, "sin descartar", [&]() -> GLuint {
         std::vector<GLuint> shaders;
         for (const Fuente &f : fuentesDe(original))
             if (f.tipo == GL_VERTEX_SHADER)
@@ -243,6 +243,7 @@ GLuint sinDescartar(GLuint original) {
         glDeleteShader(shaders.back());
         return hecho;
     });
+    return otro ? otro : original; // sin sus fuentes, lo que descarta no se ve
 }
 
 } // namespace explica

@@ -66,7 +66,7 @@ Desconocidas copiaUniforms(GLuint original, GLuint otro);
 GLuint gemelo(GLuint original, const std::string &clase, const std::function<GLuint()> &hace);
 void olvidaGemelos(); // los programas pueden haber cambiado
 
-/// El mismo, con un fragment shader que no descarta nada. 0 si no se puede.
+/// El mismo, con un fragment shader que no descarta nada. Si no se puede, él.
 GLuint sinDescartar(GLuint original);
 
 } // namespace explica

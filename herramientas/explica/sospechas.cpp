@@ -119,6 +119,15 @@ std::optional<std::pair<std::string, std::string>> loRaro(const std::vector<doub
              "El aspecto es ancho / alto, en reales: entre enteros, 4 / 3 es 1."}};
 }
 
+// Sin escribir nada ni mirar la profundidad. Hay que tener un Guardado.
+bool pasaAlguno(const Orden &o) {
+    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    glDepthMask(GL_FALSE);
+    glStencilMask(0);
+    glDisable(GL_DEPTH_TEST);
+    return muestrasDe(o.hazla) != 0;
+}
+
 // Si las normales apuntan hacia fuera de los vértices de que son.
 bool haciaFuera(const Cableado &c) {
     const Atributo *const normales = atributoDe(c, "ormal"), *const posiciones = atributoDe(c, "osi");
@@ -181,7 +190,7 @@ void Sospechas::delCableado(const Cableado &c, const Orden &o, const Lienzo &l, 
             pon(SEGURO, n, quien + "tiene algo que no es un número", "Mira de qué cuenta sale.");
         else if (!u.malDado.empty())
             pon(SEGURO, n,
-                "a " + quien.substr(3) + "se le da valor con " + u.malDado + " y es un " +
+                "al " + quien.substr(3) + "se le da valor con " + u.malDado + " y es un " +
                     tipoDe(u.variable.tipo),
                 esSampler(u.variable.tipo) ? "A un sampler se le da el número de su unidad, con glUniform1i."
                                            : "La función es la de su tipo: glUniform3f para un vec3…");
@@ -272,8 +281,7 @@ void Sospechas::delEstado(const Orden &o, const Lienzo &l, int n) {
     if (!glIsEnabled(GL_DEPTH_TEST))
         return;
     conTest = conTest || l.nombre == 0;
-    apuntaProfundidad =
-        apuntaProfundidad || (l.nombre == 0 && (entero(GL_DEPTH_WRITEMASK) || glIsEnabled(GL_BLEND)));
+    apuntaProfundidad |= l.nombre == 0 && (entero(GL_DEPTH_WRITEMASK) || glIsEnabled(GL_BLEND));
     if (!l.bitsProfundidad)
         pon(SEGURO, n, "el test de profundidad está puesto y el framebuffer no tiene profundidad",
             "Falta GLUT_DEPTH en glutInitDisplayMode, o el renderbuffer.");
@@ -444,6 +452,8 @@ void Sospechas::antes(const Orden &o, const Lienzo &l, const Cableado &cableado,
     deMatrices(cableado, l, n);
     delCableado(cableado, o, l, n);
     deNormales(cableado, n);
+    const Guardado g;
+    pasaPlantilla = !glIsEnabled(GL_STENCIL_TEST) || pasaAlguno(o); // después, quizá la ha cambiado
 }
 
 std::string Sospechas::porQueNada(const Orden &o, const Cableado &c, int n) {
@@ -458,40 +468,30 @@ std::string Sospechas::porQueNada(const Orden &o, const Cableado &c, int n) {
         return "no hay ningún VAO enlazado";
     if (o.tipoIndice != GL_NONE && !entero(GL_ELEMENT_ARRAY_BUFFER_BINDING))
         return "no hay buffer de índices";
-    std::pair<std::string, std::string> que;
-    int gravedad = SI_NO_SE_VE_NADA;
+    Dicho que;
     {
         const Guardado g;
-        glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-        glDepthMask(GL_FALSE);
-        glStencilMask(0);
-        const GLuint cobertura = sinDescartar(programa);
-        const auto pasa = [&](GLuint con, bool cara, bool recorte, bool plantilla, bool profundidad) {
+        const GLuint libre = sinDescartar(programa);
+        const auto pasa = [&](GLuint con, bool cara, bool recorte) {
             glUseProgram(con);
             explica::pon(GL_CULL_FACE, cara && g.lleva(GL_CULL_FACE));
             explica::pon(GL_SCISSOR_TEST, recorte && g.lleva(GL_SCISSOR_TEST));
-            explica::pon(GL_STENCIL_TEST, plantilla && g.lleva(GL_STENCIL_TEST));
-            explica::pon(GL_DEPTH_TEST, profundidad && g.lleva(GL_DEPTH_TEST));
-            return muestrasDe(o.hazla) != 0;
+            glDisable(GL_STENCIL_TEST);
+            return pasaAlguno(o);
         };
-        const GLuint libre = cobertura ? cobertura : programa;
-        if (!pasa(libre, false, false, false, false)) {
+        if (!pasa(libre, false, false)) {
             glUseProgram(programa);
             que = fueraDe(posicionesDe(o).puntos);
             que = oSi(conCero(productosDe(fuentesDelPrograma(GL_VERTEX_SHADER)), matricesDe(c)), que);
-            gravedad =
-                que.first.find("NaN") != que.first.npos || que.first.find("gl_Position") != que.first.npos
-                    ? SEGURO
-                    : gravedad;
-        } else if (!pasa(libre, true, false, false, false)) {
+        } else if (!pasa(libre, true, false)) {
             que = {"todas sus caras se quitan (" + nombreDe(GLenum(entero(GL_CULL_FACE_MODE))) + ")",
                    "Mira el sentido de sus vértices, glFrontFace y glCullFace."};
-        } else if (!pasa(programa, true, false, false, false)) {
+        } else if (!pasa(programa, true, false)) {
             que = {"el shader descarta todos sus fragmentos (discard)", "Mira de qué condición depende."};
-        } else if (!pasa(programa, true, true, false, false)) {
+        } else if (!pasa(programa, true, true)) {
             que = {"queda toda fuera del recorte (glScissor)",
                    "Mira glScissor, o falta glDisable(GL_SCISSOR_TEST)."};
-        } else if (!pasa(programa, true, true, true, false)) {
+        } else if (!pasaPlantilla) {
             que = {"ningún fragmento pasa la plantilla",
                    "Mira glStencilFunc y qué se ha escrito antes en ella."};
         } else {
@@ -500,7 +500,9 @@ std::string Sospechas::porQueNada(const Orden &o, const Cableado &c, int n) {
                    "Mira glDepthFunc, glClearDepth y si hay algo delante."};
         }
     }
-    pon(gravedad, n, "la orden " + std::to_string(n) + " no dibuja nada: " + que.first, que.second);
+    const bool seguro = std::regex_search(que.first, std::regex("NaN|gl_Position"));
+    pon(seguro ? SEGURO : SI_NO_SE_VE_NADA, n,
+        "la orden " + std::to_string(n) + " no dibuja nada: " + que.first, que.second);
     return que.first;
 }
 

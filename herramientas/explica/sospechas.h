@@ -24,6 +24,7 @@ struct Sospecha {
 class Sospechas {
     std::vector<Sospecha> lista;
     bool hayFigura = false, figuraEscrita = false; // lo que no es un rótulo
+    bool pasaPlantilla = true;                     // algún fragmento de la orden
     bool hayDibujos = false, hayEscrito = false, enVentana = false, borradoElFinal = false;
     std::vector<GLuint> conProfundidad; // los framebuffers en que se ha borrado
     bool conTest = false, apuntaProfundidad = false, enPerspectiva = false; // alguna orden, en la ventana

@@ -1,9 +1,10 @@
 """usos.py BUILD [USO…] [--todos]: cada uso de usos.inc en una de las dos bases de usos.cpp o, con --todos, en ambas, a
 través de ./lab explica, que debe acabar bien y:
 
-- de un error, nombrarlo en su primera sospecha;
+- de un error, decirlo con esas palabras en su primera sospecha;
 - de lo legal, no sospechar nada, seguir todas sus líneas y cumplir en el píxel dibujado más cercano al centro lo mismo
   que en los programas del laboratorio (propiedades/explica.py);
+- de las escenas de azar.py, lo que allí se dice;
 - de cada caso de explica/casos.inc, apuntar lo que pasa y decir lo que no se sabe seguir.
 
 Estado 1 si algo no se cumple.
@@ -19,11 +20,12 @@ from pathlib import Path
 
 RAIZ = Path(__file__).parents[2]
 sys.path.insert(0, str(RAIZ / "tests/propiedades"))
-import explica, preguntado  # noqa: E402, E401
+import azar, explica, preguntado  # noqa: E402, E401
 
 FILA = re.compile(r'^USO\((\w+), "(.*?)"', re.M)
 CASO = re.compile(r'^\{("(?:\\.|[^"\\])*"(?:, "(?:\\.|[^"\\])*")*)\},$', re.M)
 LISTA, CASOS = Path(__file__).with_suffix(".inc"), RAIZ / "tests/explica/casos.inc"
+ESCENAS = "uno", "dos", "tres"
 NO_SE_SABE = {  # y se dice, también en la terminal
     "lectura_de_dos": "según desde dónde se llama, es una textura u otra",
     "cubo_sin_usar": "depende de lo que el programa aún no usa («cielo»)",
@@ -53,7 +55,7 @@ def explicado(build, carpeta, pixel, entorno):
     return json.loads((carpeta / "e.json").read_text()), r.stdout
 
 
-def fallos_de_texels(cuadro, canales):
+def fallos_de_texels(cuadro):
     """Lo que se lee de una textura que se pinta en el cuadro se sigue: el texel queda del color que se lee, y se cumple
     lo de un píxel."""
     pintadas = {o["pinta"] for o in cuadro["ordenes"]}
@@ -68,34 +70,48 @@ def fallos_de_texels(cuadro, canales):
             [color, *_] = [t["color"] for t in leidos if t["texel"] == texel["pixel"]]
             if explica.distancia(color[:3], [c / 255 for c in texel["color"][:3]]) > 1e-6:
                 yield f"se lee {color} de un texel de color {texel['color']}"
-            yield from explica.fallos_de_historia(texel["historia"], canales)
+            yield from explica.fallos_de_historia(texel["historia"])
             yield from explica.fallos_de_sombreado(texel)
+
+
+def cuenta_de(build, carpeta, **entorno):
+    """Lo que da de su cuadro, sin ./lab explica."""
+    entorno |= {"LD_PRELOAD": str(build / "herramientas/explica/libexplica.so"), "LAB_EXPLICA": "e.json"}
+    r = subprocess.run(build / "osmesa/casos/usos", env={**os.environ, **entorno}, cwd=carpeta, capture_output=True)
+    assert Path(carpeta, "e.json").exists(), r.stderr
+    return json.loads(Path(carpeta, "e.json").read_text(), parse_int=float)  # -0 no es 0
+
+
+def fallos_de_error(build, carpeta, entorno, debe):
+    cuadro = cuenta_de(build, carpeta, **entorno)
+    dicha = next((f"{s['dice']}. {s['prueba']}" for s in cuadro["sospechas"]), "nada")
+    suyo = re.sub(r"\{(.*?)\|(.*?)\}", lambda m: m[1 + (entorno["BASE"] == "grua")], debe)
+    otras = sum("cableado" in o for o in cuadro["ordenes"]) - 1
+    todas = dicha.replace(f"; otras {otras}, por lo mismo", "")
+    partes = re.findall(r"(\d+) de sus (\d+)", dicha)
+    if not re.fullmatch(re.escape(suyo).replace("\\#", "[0-9]+"), todas) or any(int(n) > int(de) for n, de in partes):
+        return [f"no se dice «{suyo}» sino «{dicha}»"]
+    for pide in re.findall(r"Pide el píxel (\d+) (\d+)", dicha):
+        dice = explicado(build, carpeta, pide, entorno)[1]
+        if "lo primero que no es un número" not in dice or f"aviso: {dicha}" not in dice:
+            return [f"en {pide} no hay nada raro"]
+    return []
 
 
 def fallos_de(build, base, uso, debe):
     with tempfile.TemporaryDirectory() as carpeta:
         carpeta, entorno = Path(carpeta), {"BASE": base, "USO": uso}
-        if not debe:
-            programa = build / "osmesa/casos/usos"
-            imagen = explica.dibuja([programa], carpeta, **entorno)
-            suyas = preguntado.pregunta([programa, *explica.TALLA], build, carpeta, **entorno)
-        cuadro, dice = explicado(build, carpeta, [] if debe else cerca_del_centro(imagen), entorno)
-        if cuadro and (pide := re.search(r"Pide el píxel (\d+) (\d+)", dice)):
-            if "lo primero que no es un número" not in explicado(build, carpeta, pide.groups(), entorno)[1]:
-                return [f"en {pide[0]} no hay nada raro"]
+        if debe:
+            return fallos_de_error(build, carpeta, entorno, debe)
+        programa = build / "osmesa/casos/usos"
+        imagen = explica.dibuja([programa], carpeta, **entorno)
+        suyas = preguntado.pregunta([programa, *explica.TALLA], build, carpeta, **entorno)
+        cuadro, dice = explicado(build, carpeta, cerca_del_centro(imagen), entorno)
     if not cuadro:
         return [dice]
-    dichas = [f"{s['dice']}. {s['prueba']}" for s in cuadro["sospechas"]]
-    dibujan = sum("cableado" in o for o in cuadro["ordenes"])
-    partes = re.findall(r"(\d+) de \w+ (\d+)", f"{dichas}".replace(", por lo mismo", f" de esas {dibujan - 1}"))
-    fallos = [f"{n} de {de}, en {dichas}" for n, de in partes if int(n) > int(de)]
-    if debe:
-        return fallos if any(re.search(debe, dicha) for dicha in dichas[:1]) else [f"falta «{debe}» en {dichas}"]
-    canales = explica.canales_de(cuadro)
-    fallos += [f"se sospecha: {d}" for d in dichas] + list(explica.fallos_de_pixel(cuadro, imagen, canales))
-    fallos += [*fallos_de_texels(cuadro, canales), *preguntado.fallos(cuadro, suyas)]
-    if len(cuadro["historia"]) < 2:
-        fallos.append("nada cubre el píxel")
+    fallos = [f"se sospecha: {s['dice']}" for s in cuadro["sospechas"]] + [*preguntado.fallos(cuadro, suyas)]
+    fallos += [*explica.fallos_de_pixel(cuadro, imagen), *fallos_de_texels(cuadro)]
+    fallos += ["nada cubre el píxel"] * (len(cuadro["historia"]) < 2)
     trazas = [t for t in [cuadro.get("sombreado", {}).get("fragmento")] if t]
     fallos += [f"no sigue la línea {s['linea']}: {s['motivo']}" for t in trazas for s in t["sinSeguir"]]
     dibujan = [s for s in cuadro["historia"] if "tipo" in s]
@@ -127,13 +143,8 @@ def fallos_de_caso(build, fila):
     inicio = "#version 140\nuniform int uno; uniform float medio; out vec4 o; "
     fuente = f"{inicio}{de_global}\n#line 2\n\nvoid main() {{ {cuerpo}\n}}\n"
     with tempfile.TemporaryDirectory() as carpeta:
-        delante = build / "herramientas/explica/libexplica.so"
-        entorno = {**os.environ, "LD_PRELOAD": delante, "USO": "caso", "CASO": fuente, "LAB_EXPLICA": "e.json"}
-        entorno |= {"LAB_EXPLICA_PIXELES": "1,178", "LAB_EXPLICA_SOMBREA": "2,0"}
-        r = subprocess.run(build / "osmesa/casos/usos", env=entorno, cwd=carpeta, capture_output=True, text=True)
-        if r.returncode:
-            return [f"{cuerpo}: {r.stderr}"]
-        cuadro = json.loads(Path(carpeta, "e.json").read_text(), parse_int=float)  # -0 no es 0
+        pide = {"LAB_EXPLICA_PIXELES": "1,178", "LAB_EXPLICA_SOMBREA": "2,0"}
+        cuadro = cuenta_de(build, carpeta, USO="caso", CASO=fuente, **pide)
     fragmento = cuadro["pixeles"][0]["sombreado"]["fragmento"]
     for linea in (linea for que in ("lineas", "sinSeguir") for linea in fragmento[que]):
         linea["linea"] = int(linea["linea"])
@@ -155,14 +166,15 @@ def main():
     with ThreadPoolExecutor(os.cpu_count()) as hilos:
         de_cada = list(hilos.map(lambda t: fallos_de(build, *t), trabajos))
         de_casos = [fallo for suyos in hilos.map(lambda fila: fallos_de_caso(build, fila), casos) for fallo in suyos]
-    print("\n".join(de_casos), f"casos: bien {len(casos) - len(de_casos)} de {len(casos)}", sep="\n")
+    al_azar = [fallo for semilla in ESCENAS for fallo in azar.fallos(build, semilla)]
+    print("\n".join(de_casos + al_azar), f"casos: bien {len(casos) - len(de_casos)} de {len(casos)}", sep="\n")
     for (base, uso, debe), fallos in zip(trabajos, de_cada):
         for fallo in fallos:
             print(f"{'error' if debe else 'legal'} {uso}, {base}: {fallo}")
     for que, bien in (("errores", True), ("usos legales", False)):
         suyos = [fallos for (*_, debe), fallos in zip(trabajos, de_cada) if bool(debe) == bien]
         print(f"{que}: bien {sum(not fallos for fallos in suyos)} de {len(suyos)}")
-    return not trabajos or any(de_cada) or bool(de_casos)
+    return not trabajos or any([*de_cada, de_casos, al_azar])
 
 
 if __name__ == "__main__":
