@@ -160,7 +160,7 @@ def test_dos_imagenes_son_la_misma(tmp_path):
 
 def test_la_nota_es_la_parte_de_los_guiones_que_salen_bien():
     casos, otros = [Guion("caso", (), True)], [Guion(f"al azar {i}", ("tecla a",)) for i in range(398)]
-    jugados = []
+    jugados, hecha, en = [], {}, lambda ficheros, jugador, errores: f"p.cpp:{len(errores)}"
 
     def nota(obtenida):
         def juega(variante, guion, *_):
@@ -172,15 +172,19 @@ def test_la_nota_es_la_parte_de_los_guiones_que_salen_bien():
         arbitro = SimpleNamespace(juega=juega, parecido=parecido)
         arbitro.difiere = lambda *p: Arbitro.difiere(arbitro, *p)
         banco = SimpleNamespace(todos=casos + otros, arbitro=arbitro, reglas=Reglas(), sin_hacer=lambda: None)
-        banco.compilador = SimpleNamespace(solucion="solución")
-        correccion = veredicto.Correccion(banco, {})
+        banco.compilador = SimpleNamespace(solucion="solución", avisos=lambda *_: [*"abc"], linea_en_que_cae=en)
+        correccion = veredicto.Correccion(banco, entrega.Entrega({}))
         correccion.jugador, correccion.muestra, correccion.explica = "entrega", lambda fallan: [], lambda *_: []
         correccion.avisos, correccion.por_piezas = lambda: [], lambda: ([], "")
-        return correccion.compara()["nota"]
+        hecha.update(correccion.compara())
+        return hecha["nota"]
 
     assert [nota(lambda g, i=i: partida(i)) for i in (1, 2, 7)] == [100, 0, 50]  # la última, por poco
     assert nota(lambda g: partida(1, titulos=())) == 95  # en todos
     assert nota(lambda g: partida(2 if g.caso else 1)) == 99.5  # un caso vale por dos
+    assert nota(lambda g: partida(1, estado=134 if g.caso else 0, errores="x" * 7 * g.caso)) == 95
+    cae, _, *avisos = hecha["dice"]
+    assert "se cae" in cae and ", en p.cpp:7" in cae and avisos == ["el compilador avisa: a", "el compilador avisa: b"]
     casos += [Guion(f"caso {i}", (), True) for i in range(2000)]
     assert nota(lambda g: partida(2 if g is otros[0] else 1)) == 99.9  # con un fallo no es 100
     assert nota(lambda g: partida(1, estado=124)) == 0 and len(jugados) == len(casos + otros) + veredicto.CUELGUES
@@ -484,7 +488,6 @@ def test_como_acaba_una_partida():
         "se queda esperando": {"estado": 124, "segundos": 0.1},
         "un bucle que no acaba": {"estado": 152, "segundos": 10.0},
         "escribe demasiado": {"estado": -1, "escrito": 1 << 25},
-        "un índice se sale de un vector": {"estado": 134, "errores": "f: Assertion '__n < this->size()' failed.\n"},
         "que se llama a sí misma sin fin": {"estado": 139},
         "pide más memoria": {"estado": 134, "errores": "  what():  std::bad_alloc\n"},
         "no ha dejado nada": {"estado": -1},
@@ -766,6 +769,39 @@ def test_de_que_avisa_el_compilador(tmp_path):
     for i, (dice, ficheros) in enumerate(no_compilan.items()):
         with pytest.raises(entrega.Rechazo, match=re.escape(f"no compila: {dice}")):
             suyo.compila(ficheros, tmp_path / f"mal{i}")
+
+
+CAEN = {  # lo que hace en su línea: lo que se le dice
+    "std::vector<int> v(3); return v[c + 9];": "un índice se sale de un vector o de un array",
+    "std::vector<int> v; return v.back();": "se pide un elemento de un vector que está vacío",
+    "std::unique_ptr<std::vector<int>> p; return (*p)[c];": "se usa un puntero que no apunta a nada",
+    "std::shared_ptr<std::vector<int>> p; return (*p)[c];": "se usa un puntero que no apunta a nada",
+    "std::array<int, 3> a{}; return a[c + 9];": "un índice se sale de un vector o de un array",
+    "volatile int n = 0; return c / n;": "división por cero",
+    "int *volatile p = nullptr; return *p;": "acceso a memoria que no es suya",
+    "std::vector<int>().at(c); return 0;": "abort",
+    "return f0(c) + f1(c);": "un índice se sale de un vector o de un array",
+}
+
+
+@con_jaula
+def test_de_lo_que_se_cae_se_dice_que_y_en_que_linea(tmp_path):
+    """De cada manera de caerse que se nombra, en una función de su cabecera; la última, en otra que llama."""
+    os.chmod(tmp_path.parent, 0o755)
+    recinto = jaula.Recinto(tmp_path, jaula.Jaula(RAIZ), {"PATH": "/usr/bin:/bin"})
+    programa = nuevo.ejercicios(RAIZ, catalogo.lee_programas(BUILD))[REF]
+    suyo = compilador.Compilador(RAIZ, BUILD, programa, REF, recinto)
+    funciones = "".join(f"inline int f{i}(int c) {{ {hace} }}\n" for i, hace in enumerate(CAEN))
+    elige = "".join(f"if (c == {i + 1}) return f{i}(c);\n" for i in range(len(CAEN)))
+    incluye = "".join(f"#include <{f}>\n" for f in ("array", "memory", "vector"))
+    ficheros = {"p.h": incluye + funciones, "p.cpp": f'#include "p.h"\nint main(int c, char **) {{\n{elige}}}\n'}
+    jugador, guion = suyo.compila(ficheros, tmp_path / "aqui"), Guion("", ())
+    dicha = veredicto.Correccion(SimpleNamespace(compilador=suyo, arbitro=None), entrega.Entrega(ficheros))
+    dicha.jugador, limites = jugador, {"procesador": 9, "memoria": 1 << 30, "procesos": 8, "segundos": 60}
+    for i, dice in enumerate(CAEN.values()):
+        datos = recinto.ajeno([jugador.programa, *"x" * i], limites, [jugador.programa.parent])
+        dicha.partidas = {guion: Partida.lee(datos, guion)}
+        assert re.fullmatch(f"se cae sin dibujar nada: {dice}.*, en p.h:{4 + i % 8}", dicha.como_acaba(guion)), dice
 
 
 @con_jaula
