@@ -474,16 +474,9 @@ def test_cada_opcion_hace_algo_o_se_dice_que_no(tmp_path, juzga, monkeypatch, ca
     assert not isinstance(otra, str) or opcion in otra
 
 
-def test_tras_que_orden_acaba_una_partida():
-    """Hay una imagen antes de la primera orden y otra tras cada una."""
-    guion = SimpleNamespace(ordenes=["tecla a", "tecla b", "tecla c"])
-    que = [f" al hacer «tecla {t}»" for t in "abc"]
-    for imagenes, dice in enumerate((" sin dibujar nada", *que, "")):
-        assert motivos.tras(SimpleNamespace(imagenes=[""] * imagenes), guion) == dice
-
-
 def test_como_acaba_una_partida():
-    guion = Guion("", ("tecla a",))
+    """Y tras qué orden: hay una imagen antes de la primera y otra tras cada una."""
+    guion, tras = Guion("", ("tecla a", "tecla b")), (" sin dibujar nada", " al hacer «tecla a»", " al hacer «tecla b»")
     acaban = {
         "se queda esperando": {"estado": 124, "segundos": 0.1},
         "un bucle que no acaba": {"estado": 152, "segundos": 10.0},
@@ -493,8 +486,10 @@ def test_como_acaba_una_partida():
         "no ha dejado nada": {"estado": -1},
     }
     for dice, como in acaban.items():
-        hecho = dataclasses.replace(partida(1), limite=10, **como)
-        assert dice in motivos.como_acaba(hecho, guion)
+        for n in range(4):
+            dicho = motivos.como_acaba(dataclasses.replace(partida(*range(n)), limite=10, **como), guion)
+            donde = [f"{t}:" in dicho.replace(",", ":") for t in tras]
+            assert dice in dicho and donde == [n == i and "no ha dejado nada" != dice for i in range(3)]
 
 
 def marcado(*hechos, pide="haz eso {}", fuera=""):

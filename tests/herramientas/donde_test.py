@@ -105,16 +105,12 @@ def cambios(orden):
         columna = ", en su columna 1," if u["tipo"].startswith("mat") else ""
         vale = rf"vale \(?{es}\b.* y se espera \(?{debe}\b.*"
         yield ("cableado", "uniformes", i, "valor"), otro, f"el uniform «{re.escape(u['nombre'])}»{columna} {vale}"
-    ninguno = "al atributo «{}» no le llega ningún array"
-    de_array = {
-        "activo": (False, ninguno),
-        "bufer": (0, ninguno),
-        "suma": ("x", "array de «{}» no es lo que se espera"),
-    }
-    de_array["componentes"] = 7, "al atributo «{}» le llegan 7 números por vértice y se esperan {}"
     for i, a in enumerate(cableado["atributos"]):
-        for hecho, (otro, dice) in de_array.items():
-            yield ("cableado", "atributos", i, hecho), otro, dice.format(a["nombre"], a["componentes"])
+        ninguno, suyo = f"al atributo «{a['nombre']}» no le llega ningún array", ("cableado", "atributos", i)
+        yield from (((*suyo, "activo"), False, ninguno), ((*suyo, "bufer"), 0, ninguno))
+        yield (*suyo, "suma"), "x", f"array de «{a['nombre']}» no es lo que se espera"
+        llegan = f"«{a['nombre']}» le llegan 7 números por vértice y se esperan {a['componentes']}"
+        yield (*suyo, "componentes"), 7, llegan
     yield ("cableado", "sumaIndices"), "x", "los índices no son los que se esperan"
     for i, t in enumerate(cableado["texturas"]):
         for hecho in t.keys() - {"sampler", "suma"}:
@@ -158,9 +154,8 @@ def de_pasos(sombreado):
                 "devuelve": f"lo que devuelve {p['funcion']}",
                 "condicion": f"«{p['nombre']}»",
             }.get(p["clase"], p["nombre"])
-            sitio = (
-                "^al? .*shader .* llega otra cosa:" if p["clase"] == "entrada" else r"en la línea (\d+) de ([\w.]+),"
-            )
+            es_de_fuera = p["clase"] == "entrada"
+            sitio = "^al? .*shader .* llega otra cosa:" if es_de_fuera else r"en la línea (\d+) de ([\w.]+),"
             dice = rf"{sitio}.* {re.escape(quien)}(?:, en su.*)? vale \(?{es}\b.* y se espera \(?{debe}\b"
             palabra = p["funcion"] if p["clase"] == "argumento" else re.search(r"[\w.]+", p["nombre"])[0]
             yield (*ruta, "lineas", k, "valor"), otro, dice, palabra
@@ -196,12 +191,23 @@ def test_con_un_hecho_cambiado_se_dice_ese(datos, busca):
             for dos, debe in zip(((suyo, leido), (leido, suyo)), deben):
                 hallado = compara_(*dos).primera()
                 assert re.search(f"{quien}.* {debe}$", hallado["dice"]), hallado
+        for n, antes in enumerate(leido["ordenes"]):  # lo de otro framebuffer, antes que la textura que se pinta en él
+            if antes["framebuffer"] == donde.VENTANA or not antes["cableado"]:
+                continue
+            otro = con(otro, (*aqui, "cableado", "texturas", 0, "suma"), "x")
+            for ruta, cosa, debe in cambios(antes):
+                dicho = compara_(con(otro, ("ordenes", n, *ruta), cosa)).primera()["dice"]
+                assert re.search(quien if "texturas" in ruta else f"lo {n + 1}\\.º.* {debe}", dicho), dicho
+            pedida = compara_(con(otro, ("programas", 0, "frag"), "// ni vacío"))
+            assert pedida.primera() and pedida.se_sombrea
         sin = con(leido, ("ordenes",), [o for o in leido["ordenes"] if o is not orden])
-        dos = [compara_(*dos).primera() for dos in ((sin, leido), (leido, sin))]
-        falta, sobra = (hallado["dice"] for hallado in dos)
-        assert [hallado["que"] for hallado in dos] == ["falta", "sobra"]
-        assert re.match(f"sobra {quien}.*: en lo esperado no está", sobra)
-        assert re.match(f"falta {quien}" if trazo else f"falta algo, después de .* se dibujen {orden['titulo']}", falta)
+        debe = {
+            "falta": quien if trazo else f"algo, después de .* se dibujen {orden['titulo']}",
+            "sobra": f"{quien}.*:",
+        }
+        for dos, (que, dice) in zip(((sin, leido), (leido, sin)), debe.items()):
+            hallado = compara_(*dos).primera()
+            assert hallado["que"] == que and re.match(f"{que} {dice}", hallado["dice"]), hallado
 
 
 def test_con_un_paso_o_un_shader_cambiado_se_dice_ese(datos, busca):
@@ -224,21 +230,6 @@ def test_con_un_paso_o_un_shader_cambiado_se_dice_ese(datos, busca):
             if nombre != suyo:
                 dicho = compara_(con(otro, ("programas", k, "frag"), frag)).primera()["dice"]
                 assert f"el shader es {nombre} y se espera {suyo}" in dicho
-
-
-def test_de_la_textura_que_pinta_otra_orden_se_dice_lo_de_esa(datos, busca):
-    leido = cuadro.lee(datos)
-    antes = [(n, o) for n, o in enumerate(leido["ordenes"]) if o["framebuffer"] != donde.VENTANA and o["cableado"]]
-    for pixel, _, _, aqui, orden, quien, otro, compara_ in lo_que_pinta(leido, busca.lab):
-        for n, de_antes in antes:
-            otro = con(otro, (*aqui, "cableado", "texturas", 0, "suma"), "x")
-            for ruta, cosa, debe in cambios(de_antes):
-                dicho = compara_(con(otro, ("ordenes", n, *ruta), cosa)).primera()["dice"]
-                de_quien = f"{quien}.* lo que hay en la textura" if "texturas" in ruta else f"lo {n + 1}\\.º.* {debe}"
-                assert re.search(de_quien, dicho), dicho
-            otra = con(otro, ("programas", 0), {**leido["programas"][0], "frag": "// lo mismo"})
-            vistas = compara_(otra)
-            assert vistas.primera() and vistas.se_sombrea == ((de_antes["n"], 0),) * 2 or n < antes[-1][0]
 
 
 def test_lo_que_se_juega_para_explicarlo(datos, busca, monkeypatch):
@@ -276,19 +267,14 @@ def test_lo_que_se_juega_para_explicarlo(datos, busca, monkeypatch):
     for suyo, esperado in ((None, leido), (mal, None), (peor, leido), (mal, peor), ({**mal, "pixeles": []}, leido)):
         assert dice(suyo, esperado, leido, imagen(mal)) is None
     for pixel, j, suceso, aqui, orden, *_ in lo_que_pinta(leido, busca.lab):
-        suyo = con(mal, (*pixel, "historia", j, "despues"), [7, 8, 9, 255])
+        suyo, este = con(mal, (*pixel, "historia", j, "despues"), [7, 8, 9, 255]), leido["pixeles"][pixel[1]]["pixel"]
         pedido.clear()
-        assert (
-            dice(con(suyo, (*pixel, "sombreado"), None), leido, leido, imagen(mal))["pixel"]
-            == leido["pixeles"][pixel[1]]["pixel"]
-        )
+        assert dice(con(suyo, (*pixel, "sombreado"), None), leido, leido, imagen(mal))["pixel"] == este
         sombrea = {"LAB_EXPLICA_SOMBREA": f"{orden['n']},{suceso['primitiva']}"}
         assert pedido[:4] == [{}, {}, sombrea, sombrea]
         suyo = con(suyo, (*aqui, "cableado", "sumaIndices"), "x")
         de_array = dice(suyo, leido, leido, imagen(mal))
-        assert de_array["pixel"] == leido["pixeles"][pixel[1]]["pixel"] and de_array["dice"].endswith(
-            "(se pide en p.cpp:7)"
-        )
+        assert de_array["pixel"] == este and de_array["dice"].endswith("(se pide en p.cpp:7)")
         n, otra = next((n, o) for n, o in enumerate(leido["ordenes"]) if o["cableado"] and o is not orden)
         suyo = con(suyo, ("ordenes", n, "cableado", "uniformes", 0, "valor", 0), 7.5)
         de_otra = dice(suyo, leido, leido, imagen(mal))
