@@ -7,13 +7,16 @@ import re
 import shutil
 import struct
 import subprocess
+import sys
 import tempfile
 from pathlib import Path
 
 import pytest
+from mentira import RAIZ, faltan, siembra
+
+sys.path.insert(0, str(RAIZ / "herramientas"))
 from base import catalogo
 from base.procesos import Fallo
-from mentira import RAIZ, faltan, siembra
 
 SALE = "build", "galeria", "explica", "web", "informe", "mios", "windows", "tests", ".git"
 UNO, TRES = "ch01_intro/primer_programa.cpp", "ch01_intro/shader_basico.cpp"
