@@ -162,7 +162,7 @@ def test_dos_imagenes_son_la_misma(tmp_path):
 
 def test_la_nota_es_la_parte_de_los_guiones_que_salen_bien():
     casos, otros = [Guion("caso", (), True)], [Guion(f"al azar {i}", ("tecla a",)) for i in range(398)]
-    jugados = []
+    jugados, hecha, en = [], {}, lambda ficheros, jugador, errores: f"p.cpp:{len(errores)}"
 
     def nota(obtenida):
         def juega(variante, guion, *_):
@@ -174,15 +174,19 @@ def test_la_nota_es_la_parte_de_los_guiones_que_salen_bien():
         arbitro = SimpleNamespace(juega=juega, parecido=parecido)
         arbitro.difiere = lambda *p: Arbitro.difiere(arbitro, *p)
         banco = SimpleNamespace(todos=casos + otros, arbitro=arbitro, reglas=Reglas(), sin_hacer=lambda: None)
-        banco.compilador = SimpleNamespace(solucion="solución")
-        correccion = veredicto.Correccion(banco, {})
+        banco.compilador = SimpleNamespace(solucion="solución", avisos=lambda *_: [*"abc"], linea_en_que_cae=en)
+        correccion = veredicto.Correccion(banco, entrega.Entrega({}))
         correccion.jugador, correccion.muestra, correccion.explica = "entrega", lambda fallan: [], lambda *_: []
         correccion.avisos, correccion.por_piezas = lambda: [], lambda: ([], "")
-        return correccion.compara()["nota"]
+        hecha.update(correccion.compara())
+        return hecha["nota"]
 
     assert [nota(lambda g, i=i: partida(i)) for i in (1, 2, 7)] == [100, 0, 50]  # la última, por poco
     assert nota(lambda g: partida(1, titulos=())) == 95  # en todos
     assert nota(lambda g: partida(2 if g.caso else 1)) == 99.5  # un caso vale por dos
+    assert nota(lambda g: partida(1, estado=134 if g.caso else 0, errores="x" * 7 * g.caso)) == 95
+    cae, _, *avisos = hecha["dice"]
+    assert "se cae" in cae and ", en p.cpp:7" in cae and avisos == ["el compilador avisa: a", "el compilador avisa: b"]
     casos += [Guion(f"caso {i}", (), True) for i in range(2000)]
     assert nota(lambda g: partida(2 if g is otros[0] else 1)) == 99.9  # con un fallo no es 100
     assert nota(lambda g: partida(1, estado=124)) == 0 and len(jugados) == len(casos + otros) + veredicto.CUELGUES
@@ -477,28 +481,22 @@ def test_cada_opcion_hace_algo_o_se_dice_que_no(tmp_path, juzga, monkeypatch, ca
     assert not isinstance(otra, str) or opcion in otra
 
 
-def test_tras_que_orden_acaba_una_partida():
-    """Hay una imagen antes de la primera orden y otra tras cada una."""
-    guion = SimpleNamespace(ordenes=["tecla a", "tecla b", "tecla c"])
-    que = [f" al hacer «tecla {t}»" for t in "abc"]
-    for imagenes, dice in enumerate((" sin dibujar nada", *que, "")):
-        assert motivos.tras(SimpleNamespace(imagenes=[""] * imagenes), guion) == dice
-
-
 def test_como_acaba_una_partida():
-    guion = Guion("", ("tecla a",))
+    """Y tras qué orden: hay una imagen antes de la primera y otra tras cada una."""
+    guion, tras = Guion("", ("tecla a", "tecla b")), (" sin dibujar nada", " al hacer «tecla a»", " al hacer «tecla b»")
     acaban = {
         "se queda esperando": {"estado": 124, "segundos": 0.1},
         "un bucle que no acaba": {"estado": 152, "segundos": 10.0},
         "escribe demasiado": {"estado": -1, "escrito": 1 << 25},
-        "un índice se sale de un vector": {"estado": 134, "errores": "f: Assertion '__n < this->size()' failed.\n"},
         "que se llama a sí misma sin fin": {"estado": 139},
         "pide más memoria": {"estado": 134, "errores": "  what():  std::bad_alloc\n"},
         "no ha dejado nada": {"estado": -1},
     }
     for dice, como in acaban.items():
-        hecho = dataclasses.replace(partida(1), limite=10, **como)
-        assert dice in motivos.como_acaba(hecho, guion)
+        for n in range(4):
+            dicho = motivos.como_acaba(dataclasses.replace(partida(*range(n)), limite=10, **como), guion)
+            donde = [f"{t}:" in dicho.replace(",", ":") for t in tras]
+            assert dice in dicho and donde == [n == i and "no ha dejado nada" != dice for i in range(3)]
 
 
 def marcado(*hechos, pide="haz eso {}", fuera=""):
@@ -777,6 +775,39 @@ def test_de_que_avisa_el_compilador(tmp_path):
             suyo.compila(ficheros, tmp_path / f"mal{i}")
     with pytest.raises(entrega.Rechazo, match="no compila: a.cpp:1"):  # del primer intento, que son todos
         suyo.compila({"a.cpp": "uno", "b.cpp": "dos"}, tmp_path / "dos", intentos=[["a.cpp"], ["b.cpp"]])
+
+
+CAEN = {  # lo que hace en su línea: lo que se le dice
+    "std::vector<int> v(3); return v[c + 9];": "un índice se sale de un vector o de un array",
+    "std::vector<int> v; return v.back();": "se pide un elemento de un vector que está vacío",
+    "std::unique_ptr<std::vector<int>> p; return (*p)[c];": "se usa un puntero que no apunta a nada",
+    "std::shared_ptr<std::vector<int>> p; return (*p)[c];": "se usa un puntero que no apunta a nada",
+    "std::array<int, 3> a{}; return a[c + 9];": "un índice se sale de un vector o de un array",
+    "volatile int n = 0; return c / n;": "división por cero",
+    "int *volatile p = nullptr; return *p;": "acceso a memoria que no es suya",
+    "std::vector<int>().at(c); return 0;": "abort",
+    "return f0(c) + f1(c);": "un índice se sale de un vector o de un array",
+}
+
+
+@con_jaula
+def test_de_lo_que_se_cae_se_dice_que_y_en_que_linea(tmp_path):
+    """De cada manera de caerse que se nombra, en una función de su cabecera; la última, en otra que llama."""
+    os.chmod(tmp_path.parent, 0o755)
+    recinto = jaula.Recinto(tmp_path, jaula.Jaula(RAIZ), {"PATH": "/usr/bin:/bin"})
+    programa = nuevo.ejercicios(RAIZ, catalogo.lee_programas(BUILD))[REF]
+    suyo = compilador.Compilador(RAIZ, BUILD, programa, REF, recinto)
+    funciones = "".join(f"inline int f{i}(int c) {{ {hace} }}\n" for i, hace in enumerate(CAEN))
+    elige = "".join(f"if (c == {i + 1}) return f{i}(c);\n" for i in range(len(CAEN)))
+    incluye = "".join(f"#include <{f}>\n" for f in ("array", "memory", "vector"))
+    ficheros = {"p.h": incluye + funciones, "p.cpp": f'#include "p.h"\nint main(int c, char **) {{\n{elige}}}\n'}
+    jugador, guion = suyo.compila(ficheros, tmp_path / "aqui"), Guion("", ())
+    dicha = veredicto.Correccion(SimpleNamespace(compilador=suyo, arbitro=None), entrega.Entrega(ficheros))
+    dicha.jugador, limites = jugador, {"procesador": 9, "memoria": 1 << 30, "procesos": 8, "segundos": 60}
+    for i, dice in enumerate(CAEN.values()):
+        datos = recinto.ajeno([jugador.programa, *"x" * i], limites, [jugador.programa.parent])
+        dicha.partidas = {guion: Partida.lee(datos, guion)}
+        assert re.fullmatch(f"se cae sin dibujar nada: {dice}.*, en p.h:{4 + i % 8}", dicha.como_acaba(guion)), dice
 
 
 @con_jaula

@@ -7,11 +7,16 @@ import re
 import shutil
 import struct
 import subprocess
+import sys
 import tempfile
 from pathlib import Path
 
 import pytest
 from mentira import RAIZ, faltan, siembra
+
+sys.path.insert(0, str(RAIZ / "herramientas"))
+from base import catalogo
+from base.procesos import Fallo
 
 SALE = "build", "galeria", "explica", "web", "informe", "mios", "windows", "tests", ".git"
 UNO, TRES = "ch01_intro/primer_programa.cpp", "ch01_intro/shader_basico.cpp"
@@ -114,11 +119,23 @@ def test_un_catalogo_mal_escrito_se_dice(lab):
         ('nombre = "shader_basico"', 'nombre = "Shader"', "Shader"),
         ('mira = "Tres"', "", "mira"),
         ('titulo = "Tres"', 'titulo = "Tres', "catalogo.toml"),
+        ('titulo = "Tres"', 'titulo = "Tres"\nmas = 1', "shader_basico: sobra «mas»: de cada programa se dice nombre"),
+        ('"shader_basico"', '"primer_programa"', "ya hay otro «primer_programa»"),
+        (r'  \[\[programa.caso\]\]\n.*\n  mira = "Tres"', "caso = 7", "cada caso es una tabla"),
+        ('mira = "Tres"', 'mira = "Tres"\n  otro = "3"', "base: falta motivo"),
+        (
+            'mira = "Tres"',
+            'mira = "x"\n  [[programa.caso]]\n  nombre = "b"\n  mira = "x"',
+            "shader_basico: b: falta titulo",
+        ),
     ):
         with lab.con("ch01_intro/catalogo.toml"):
             lab.cambia("ch01_intro/catalogo.toml", viejo, nuevo)
-            dicho = lab("lista", 1, dice, "CMake no ha podido configurar")
-            assert "Traceback" not in dicho
+            with pytest.raises(Fallo, match=dice):
+                catalogo.lee_capitulos(lab.raiz)
+    with lab.con("ch01_intro/catalogo.toml"):
+        lab.cambia("ch01_intro/catalogo.toml", 'mira = "Tres"', "")
+        assert "Traceback" not in lab("lista", 1, "falta mira", "CMake no ha podido configurar")
 
 
 def test_lo_que_no_compila_no_impide_ver_lo_demas(lab):

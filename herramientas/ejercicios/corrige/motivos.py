@@ -28,10 +28,9 @@ SENALES = {
 }
 
 SE_EXIGE = {  # lo que comprueba _GLIBCXX_ASSERTIONS
-    "< this->size()": "un índice se sale de un vector",
+    "< this->size()": "un índice se sale de un vector o de un array",
     "!this->empty()": "se pide un elemento de un vector que está vacío",
-    "!= nullptr": "se usa un puntero que no apunta a nada",
-    "__n < _Nm": "un índice se sale de un array",
+    "get() != ": "se usa un puntero que no apunta a nada",
 }
 CONSTANTES = [math.pi * k for k in (1 / 180, 1 / 6, 1 / 4, 1 / 3, 1 / 2, 2 / 3, 1, 2)] + [180 / math.pi]
 CONSTANTES += [1 / 3, 2 / 3, 1 / 6, 1 / 9, *(math.sqrt(n) / k for n in (2, 3) for k in (1, 2, 3))]
