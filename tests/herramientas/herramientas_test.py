@@ -19,7 +19,7 @@ from types import SimpleNamespace
 import pytest
 
 from base import catalogo, controles, defectos, evidencia, fuentes, guiones, libro, marcas, paginas, procesos
-from ejercicios import en_pagina, nuevo
+from ejercicios import en_pagina, nuevo, propios
 from ejercicios.corrige import entrega, shaders
 from galeria import dibuja
 from galeria.pagina import AQUI as GALERIA, MODULOS, PaginaGaleria
@@ -298,7 +298,11 @@ def test_lo_que_se_sirve(tmp_path, monkeypatch):
     for copia, de in (raiz, RAIZ), (build, BUILD):
         copia.mkdir()
         [(copia / f.name).symlink_to(f) for f in de.iterdir() if f != BUILD / "web"]
-    siembra(build, {"web/lab.js": "", "web/lab.wasm": ""})
+    de_clase = {f"clase.{tipo}" for tipo in ("vert", "frag", "glsl", "vf")}
+    siembra(
+        tmp_path,
+        {"build/web/lab.js": "", "build/web/lab.wasm": "", **{f"lab/{propios.CARPETA}/x/{f}": "" for f in de_clase}},
+    )
     codigos = marcas.que_piden({f: f.read_text() for f in FUENTES})
     (raiz / "ocultos.txt").write_text("\n".join(codigos) + "  # los de este curso")
     monkeypatch.setattr(controles, "atiende", lambda *_, **__: (set(), []))
@@ -317,9 +321,11 @@ def test_lo_que_se_sirve(tmp_path, monkeypatch):
         de_mas = {linea for linea in hechas if linea.encode().decode("latin1" if nombre in datos else "utf8") in se_lee}
         vale = nombre == "web/datos/shaders.js" and {linea for linea in hechas if hechas[linea] not in (".cpp", ".h")}
         assert not {linea for linea in de_mas - (vale or set()) if linea not in de_otros}, nombre
+    indice = {n for suyos in json.loads(hay["web/datos/indice.js"])["ficheros"].values() for n in suyos.split()}
+    assert not indice & set(re.findall(r"\w+", " ".join(hechas))) - set(re.findall(r"\w+", de_otros))
     leen = {Path(f).name for fuente in FUENTES for f in re.findall(LEEN, fuente.read_text())}
     estan = {Path(f).name for f in json.loads(hay["web/datos/shaders.js"])} | {f[10:-3] for f in datos}
-    assert len(hechas) > 100 and leen & {f.name for f in [*RAIZ.glob("*/*"), *BUILD.glob("assets/*")]} <= estan
+    assert len(hechas) > 100 and de_clase | leen & {f.name for f in [*RAIZ.glob("*/*"), *BUILD.glob("assets/*")]} <= estan
     pagina, fuentes_ = hay["web/index.html"], re.findall('data-fuente="([^"]+)"', hay["galeria/index.html"])
     assert {f"galeria/fuentes/{f}.js" for f in fuentes_} == {f for f in hay if "/fuentes/" in f}
     programas = json.loads(re.search('id="programas">(.*)</script>', pagina)[1])

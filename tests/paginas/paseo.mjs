@@ -1,61 +1,74 @@
-// Un paseo al azar: se haga lo que se haga en una página, al ir a otra dirección todo está en ella como al abrirla, y
-// «Atrás» lleva a donde se estaba. LAB_SEMILLA es la del paseo.
+// Un paseo al azar: se haga lo que se haga en una página, al ir a otra dirección todo está en ella como al abrirla,
+// «Atrás» lleva a donde se estaba, y lo que se pone pulsando algo se quita pulsándolo otra vez. Con LAB_SEMILLA, otro.
 import assert from 'node:assert/strict';
 import { espera } from './navegador.mjs';
 
-const NO_SE_PULSA = '.enlace, .guarda, .descarga, .corrige, .compila, .copia, .a-galeria, .suelto, .incrusta, [href*="/E"]';
+const NO = '.enlace, .guarda, .descarga, .corrige, .compila, .copia, .a-galeria, .suelto, .incrusta, [href*="/E"]';
 const TECLAS = ['PageDown', 'PageUp', 'Home', 'End', 'ArrowRight', 'ArrowLeft', ...'b.?pxdvr1', 'Enter', ' ', 'Escape'];
-const ACCIONES = ['pulsa', 'pulsa', 'pulsa', 'tecla', 'tecla', 'va', 'va', 'atras', 'talla'];
+const ACCIONES = ['pulsa', 'pulsa', 'pulsa', 'tecla', 'va', 'va', 'atras', 'dos', 'talla'];
 const TALLAS = [[1280, 800], [390, 844]];
 
 /// En la página: lo que se ve en ella, a trozos. Se recuerda, adonde se vaya, lo que se busca y lo que se ha desplegado.
-function seVe() {
+function seVe(menos = '') {
   const copia = document.body.cloneNode(true), suyos = todos('*', copia), programa = globalThis.pagina?.visto.programa;
   for (const [i, e] of todos('*', document.body).entries()) if (!e.checkVisibility()) suyos[i].remove();
-  const anda = programa?.anima ? ', .estado, .consola' : '';
-  for (const e of todos('script, style, template, .resultados, .CodeMirror, .compilar, details:not(.tarea *)' + anda, copia))
+  menos += programa?.anima ? ', .estado, .consola' : '';
+  for (const e of todos('script, style, .resultados, .CodeMirror, .compilar, details:not(.tarea *)' + menos, copia))
     e.remove();
   for (const e of todos('canvas', copia)) for (const talla of ['width', 'height']) e.removeAttribute(talla);
   return [document.title, programa && `${cm.getOption('readOnly')} ${cm.getValue()}`, una(':popover-open')?.className,
     ...copia.outerHTML.replaceAll(' class=""', '').split(/\s*(?=<)/)];
 }
 
-const pulsables = no => todos('a[href^="#"], figure a, button, summary, canvas', document.fullscreenElement ?? document)
-  .filter(e => e.checkVisibility({ visibilityProperty: true }) && !e.closest(no) &&
-    (!una('dialog[open]') || e.closest('dialog')));
+/// En la página: lo que se puede pulsar, junto lo que está junto; o, `dos` veces, lo que se pone y se quita.
+const pulsables = (no, dos) => Object.values(Object.groupBy(todos(dos ? '.derecho, .tarea button, .explica'
+  : 'a[href^="#"], figure a, button, summary, canvas', una('dialog[open]') ?? document.fullscreenElement ?? document)
+  .filter(e => e.checkVisibility({ visibilityProperty: true }) && !e.closest(no)),
+  e => todos('*').indexOf(e.parentElement.closest('div, ul, ol, section, article, nav'))));
 
 /// `lista()`, en la página, es si ha acabado de llegar adonde iba; `sitios`, adónde se va de golpe.
 export async function pasea(p, { pasos, sitios, lista }) {
   const semilla = +(process.env.LAB_SEMILLA ?? 1), hecho = [], historia = [''], visto = [];
   let azar = semilla * 7919 + 1, talla = TALLAS[0];
-  const elige = entre => entre[(azar = azar * 48271 % 2147483647) % entre.length];
+  const entre = n => (azar = azar * 48271 % 2147483647) % n, elige = lista => lista[entre(lista.length)];
   const donde = () => p.da(() => cuadro().then(() => location.hash));
-  const asentada = async () => {
+  const asentada = async menos => {
     await p.acaba(`llega, tras ${hecho.join('; ')}`, lista);
     for (let antes, ahora; ; antes = ahora, await espera(100))
-      if (JSON.stringify(ahora = await p.da(seVe)) === JSON.stringify(antes)) return ahora;
+      if (JSON.stringify(ahora = await p.da(seVe, menos)) === JSON.stringify(antes)) return ahora;
+  };
+  const pulsa = async dos => {
+    const hay = await p.pagina.evaluateHandle(`(${pulsables})('${NO}', ${dos})`), suyo = entre(9999);
+    const e = (await hay.evaluateHandle((hay, i) => hay[i % hay.length]?.at(i / hay.length % hay[i % hay.length].length),
+      suyo)).asElement();
+    hecho.push(await e?.evaluate(e => `pulsa ${e.className} ${e.hash ?? e.textContent}`));
+    return () => e?.click().catch(() => {}); // lo tapa otra cosa
+  };
+  const iguales = (una, otra, que) => {
+    const i = una.findIndex((trozo, i) => trozo !== otra[i]);
+    assert.ok(i < 0 && una.length === otra.length,
+      `con la semilla ${semilla}, ${que}: ${una.slice(i, i + 3)} y no ${otra.slice(i, i + 3)}`);
   };
   const HACE = {
-    async pulsa() {
-      const hay = await p.pagina.evaluateHandle(`(${pulsables})('${NO_SE_PULSA}')`);
-      const i = elige([...Array(await hay.evaluate(hay => hay.length)).keys()]);
-      const e = (await hay.evaluateHandle((hay, i) => hay[i], i)).asElement();
-      hecho.push(await e?.evaluate(e => `pulsa ${e.className} ${e.hash ?? e.textContent}`));
-      await e?.click().catch(() => {}); // lo tapa otra cosa
-    },
-    async tecla() {
-      hecho.push(elige(TECLAS));
-      await p.teclas(hecho.at(-1));
-    },
+    pulsa: () => pulsa().then(hazlo => hazlo()),
+    tecla: () => p.teclas(hecho[hecho.push(elige(TECLAS)) - 1]),
     va: () => p.va(hecho[hecho.push(elige(sitios)) - 1]),
     atras: () => historia.length > 1 && hecho.push('atrás') && p.da(() => history.back()),
-    talla: () => p.talla(...talla = elige(TALLAS)),
+    async talla() {
+      await p.talla(...talla = elige(TALLAS));
+      await p.da(() => document.fullscreenElement && document.exitFullscreen());
+    },
+    async dos() {
+      const menos = ', .aviso, .explicacion, .aqui', antes = await asentada(menos), hazlo = await pulsa(true);
+      await hazlo();
+      await hazlo();
+      iguales(await asentada(menos), antes, `dos veces, ${hecho.slice(-9).join('; ')}`);
+    },
   };
   await p.talla(...talla);
   await p.carga();
   for (let antes = await donde(), ahora; hecho.length < pasos; antes = ahora) {
-    const que = elige(ACCIONES);
-    const pasa = await p.da(() => una('dialog')?.open); // lo que se pasa en grande o con teclas no es otro sitio
+    const que = elige(ACCIONES), pasa = await p.da(() => una('dialog')?.open); // lo que se pasa no es otro sitio
     await HACE[que]();
     ahora = await donde();
     if (que === 'atras' && historia.length > 1) {
@@ -64,20 +77,18 @@ export async function pasea(p, { pasos, sitios, lista }) {
         ahora = historia.at(-1));
     }
     if (ahora === antes) continue;
-    if (que === 'tecla' && !/^(Enter| )$/.test(hecho.at(-1)) || pasa) historia[historia.length - 1] = ahora;
+    if (pasa || que === 'tecla' && !/^(Enter| )$/.test(hecho.at(-1))) historia[historia.length - 1] = ahora;
     else if (que !== 'atras') historia.push(ahora);
+    if (await p.da(() => una('dialog')?.open)) continue;
     const completa = await p.da(() => document.fullscreenElement?.className.split(' ')[0]);
-    if (!await p.da(() => una('dialog')?.open))
-      visto.push({ ahora, talla, completa, ve: await asentada(), hecho: hecho.slice(-12).join('; ') });
+    visto.push({ ahora, talla, completa, ve: await asentada(), hecho: hecho.slice(-9).join('; ') });
   }
   for (const { ahora, talla, completa, ve, hecho } of visto) {
     await p.talla(...talla);
     await p.carga(ahora);
     await asentada();
     if (completa) await p.da(completa => una(`.${completa}`).requestFullscreen(), completa);
-    const abierta = await asentada(), i = abierta.findIndex((trozo, i) => trozo !== ve[i]);
-    console.log(ahora, talla, completa, i);
-    assert.ok(i < 0 && ve.length === abierta.length, `con la semilla ${semilla}, «${ahora}» (${talla}) no se ve como al \
-abrirla: ${ve.slice(i, i + 3)} y no ${abierta.slice(i, i + 3)}; tras ${hecho}`);
+    console.log(ahora, talla, completa, hecho);
+    iguales(ve, await asentada(), `«${ahora}» (${talla}) no se ve como al abrirla, tras ${hecho}`);
   }
 }
