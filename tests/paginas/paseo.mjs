@@ -8,7 +8,7 @@ const TECLAS = ['PageDown', 'PageUp', 'Home', 'End', 'ArrowRight', 'ArrowLeft', 
 const ACCIONES = ['pulsa', 'pulsa', 'pulsa', 'tecla', 'va', 'va', 'atras', 'dos', 'talla'];
 const TALLAS = [[1280, 800], [390, 844]];
 
-/// En la página: lo que se ve en ella, a trozos. Se recuerda, adonde se vaya, lo que se busca y lo que se ha desplegado.
+/// En la página: lo que se ve en ella, a trozos, salvo lo que se recuerda: lo que se busca y lo que se ha desplegado.
 function seVe(menos = '') {
   const copia = document.body.cloneNode(true), suyos = todos('*', copia), programa = globalThis.pagina?.visto.programa;
   for (const [i, e] of todos('*', document.body).entries()) if (!e.checkVisibility()) suyos[i].remove();
@@ -17,7 +17,7 @@ function seVe(menos = '') {
     e.remove();
   for (const e of todos('canvas', copia)) for (const talla of ['width', 'height']) e.removeAttribute(talla);
   return [document.title, programa && `${cm.getOption('readOnly')} ${cm.getValue()}`, una(':popover-open')?.className,
-    ...copia.outerHTML.replaceAll(' class=""', '').split(/\s*(?=<)/)];
+    ...copia.outerHTML.replace(/ class="(.*?)"/g, (_, clases) => ` ${clases.split(' ').sort().join('.')}`).split(/\s*(?=<)/)];
 }
 
 /// En la página: lo que se puede pulsar, junto lo que está junto; o, `dos` veces, lo que se pone y se quita.
@@ -38,9 +38,9 @@ export async function pasea(p, { pasos, sitios, lista }) {
       if (JSON.stringify(ahora = await p.da(seVe, menos)) === JSON.stringify(antes)) return ahora;
   };
   const pulsa = async dos => {
-    const hay = await p.pagina.evaluateHandle(`(${pulsables})('${NO}', ${dos})`), suyo = entre(9999);
-    const e = (await hay.evaluateHandle((hay, i) => hay[i % hay.length]?.at(i / hay.length % hay[i % hay.length].length),
-      suyo)).asElement();
+    const hay = await p.pagina.evaluateHandle(`(${pulsables})('${NO}', ${dos})`);
+    const e = (await hay.evaluateHandle((hay, ...azar) => azar.reduce((de, n) => de?.[n % de.length], hay),
+      entre(9999), entre(9999))).asElement();
     hecho.push(await e?.evaluate(e => `pulsa ${e.className} ${e.hash ?? e.textContent}`));
     return () => e?.click().catch(() => {}); // lo tapa otra cosa
   };
@@ -83,12 +83,16 @@ export async function pasea(p, { pasos, sitios, lista }) {
     const completa = await p.da(() => document.fullscreenElement?.className.split(' ')[0]);
     visto.push({ ahora, talla, completa, ve: await asentada(), hecho: hecho.slice(-9).join('; ') });
   }
+  const abiertas = new Map();
   for (const { ahora, talla, completa, ve, hecho } of visto) {
-    await p.talla(...talla);
-    await p.carga(ahora);
-    await asentada();
-    if (completa) await p.da(completa => una(`.${completa}`).requestFullscreen(), completa);
-    console.log(ahora, talla, completa, hecho);
-    iguales(ve, await asentada(), `«${ahora}» (${talla}) no se ve como al abrirla, tras ${hecho}`);
+    const clave = [ahora, talla, completa].join();
+    if (!abiertas.has(clave)) {
+      await p.talla(...talla);
+      await p.carga(ahora);
+      await asentada();
+      if (completa) await p.da(completa => una(`.${completa}`).requestFullscreen(), completa);
+      abiertas.set(clave, await asentada());
+    }
+    iguales(ve, abiertas.get(clave), `«${ahora}» (${talla}) no se ve como al abrirla, tras ${hecho}`);
   }
 }

@@ -347,7 +347,8 @@ const pagina = {
     await seBusca(p);
     await p.va('#grua');
     await seCopia(p);
-    for (const [enlace, marcado] of [...['ch05_iluminacion', '5', 'cap05', 'Ch5'].map(c => ['#' + c, '#ch05_iluminacion']), ['#l5.1', '#sombreado']]) {
+    const capitulo = ['#ch05_iluminacion', '#5', '#cap05', '#Ch5'].map(enlace => [enlace, '#ch05_iluminacion']);
+    for (const [enlace, marcado] of [...capitulo, ['#l5.1', '#sombreado']]) {
       await p.va(enlace);
       await p.acaba(`el índice señala adónde lleva ${enlace}`, marcado => una('#no-esta').hidden &&
         una('.programas [aria-current]')?.hash === marcado, marcado);

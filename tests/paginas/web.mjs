@@ -8,6 +8,7 @@ import { delCapitulo, distintos } from './casos.mjs';
 import { edicion } from './editor.mjs';
 import { explica } from './explica.mjs';
 import { pantalla } from './pantalla.mjs';
+import { pasea } from './paseo.mjs';
 import { uso } from './uso.mjs';
 
 const casos = CAPITULOS.map(({ nombre }) => [`cada caso de ${nombre} es como su golden`, async p => {
@@ -15,5 +16,12 @@ const casos = CAPITULOS.map(({ nombre }) => [`cada caso de ${nombre} es como su 
   assert.deepEqual(await distintos(p, delCapitulo(nombre), SWIFTSHADER), []);
 }]);
 
+const SITIOS = ['', '#grua-girada', '#grua;tecla d', '#ejercicio/L5.1', '#ejercicio/L5.2', '#sombras', '#menu',
+  '#convolucion', '#luces_animadas', '#info_opengl', '#no_esta', '#cap5', '#l5.1', '#ejercicio/nada', '#incrusta/grua'];
+const paseo = { 'un paseo al azar': p => pasea(p, { pasos: 60, sitios: SITIOS, lista: () => !visto.programa ||
+  (sesion || !telon.hidden) && editor.ruta && editor.ruta === editor.abierto && !/^(Mirando|Repitiendo)/.test(aviso) &&
+  !(visto.ejercicio && una('.marcador').textContent.includes('…')) }) };
+
 enNavegadores(SWIFTSHADER ? ['chromium'] : ['chromium', 'firefox'],
   { ...Object.fromEntries(casos), ...SWIFTSHADER ? {} : { ...uso, ...pantalla, ...edicion, ...explica } });
+if (!SWIFTSHADER) enNavegadores(['chromium'], paseo);
