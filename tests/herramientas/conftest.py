@@ -1,4 +1,5 @@
 """Dónde está lo que importan las pruebas de herramientas/, y lo que comparten las de ./lab corrige."""
+import re
 import sys
 from html.parser import HTMLParser
 from pathlib import Path
@@ -27,19 +28,17 @@ def juzga(monkeypatch):
 class Etiquetas(HTMLParser):
     """Que cada una se cierre en su orden, que ningún id se repita y que cada enlace a la misma página lleve a uno."""
 
-    def __init__(self, texto):
+    def __init__(self, pagina):
         super().__init__()
-        self.abiertas, self.ids, self.enlaces = [], [], []
-        self.feed(texto)
-        assert not self.abiertas and len(self.ids) == len({*self.ids}), (self.abiertas, self.ids)
-        assert "programas" in self.ids or {*self.enlaces} <= {*self.ids}, {*self.enlaces} - {*self.ids}
+        self.abiertas, self.ids, self.enlaces = [], [], set()
+        self.feed(pagina)
+        assert not self.abiertas and len(self.ids) == len({*self.ids})
+        assert "programas" in self.ids or self.enlaces <= {*self.ids}, self.enlaces - {*self.ids}
 
     def handle_starttag(self, etiqueta, suyos):
-        suyos = dict(suyos)
-        self.ids += [suyos["id"]] if "id" in suyos else []
-        self.enlaces += [e[1:] for e in [suyos.get("href") or ""] if e[1:] and e[0] == "#"]
-        if etiqueta not in ("meta", "link", "img", "input", "br", "source", "col", "hr"):
-            self.abiertas.append(etiqueta)
+        self.ids += [id_ for que, id_ in suyos if que == "id"]
+        self.enlaces |= {enlace[1:] for que, enlace in suyos if que == "href" and re.match("#.", enlace)}
+        self.abiertas += [etiqueta] * (etiqueta not in ("meta", "link", "img", "input", "br", "source", "col", "hr"))
 
     def handle_endtag(self, etiqueta):
         assert etiqueta == self.abiertas.pop(), self.getpos()
@@ -50,10 +49,8 @@ def paginas_enteras(monkeypatch):
     """Las que escriba cualquier prueba."""
     hace = jinja2.Template.render
 
-    def comprueba(plantilla, *p, **datos):
-        hecha = hace(plantilla, *p, **datos)
-        if hecha.lstrip().startswith("<!DOCTYPE"):
-            Etiquetas(hecha)
-        return hecha
+    def comprueba(*p, **datos):
+        hecha = hace(*p, **datos)
+        return Etiquetas(hecha) and hecha if hecha.startswith("<!DOCTYPE") else hecha
 
     monkeypatch.setattr(jinja2.Template, "render", comprueba)

@@ -325,10 +325,14 @@ def test_lo_que_se_sirve(tmp_path, monkeypatch):
     assert not indice & set(re.findall(r"\w+", " ".join(hechas))) - set(re.findall(r"\w+", de_otros))
     leen = {Path(f).name for fuente in FUENTES for f in re.findall(LEEN, fuente.read_text())}
     estan = {Path(f).name for f in json.loads(hay["web/datos/shaders.js"])} | {f[10:-3] for f in datos}
-    assert len(hechas) > 100 and de_clase | leen & {f.name for f in [*RAIZ.glob("*/*"), *BUILD.glob("assets/*")]} <= estan
+    assert (
+        len(hechas) > 100 and de_clase | leen & {f.name for f in [*RAIZ.glob("*/*"), *BUILD.glob("assets/*")]} <= estan
+    )
     pagina, fuentes_ = hay["web/index.html"], re.findall('data-fuente="([^"]+)"', hay["galeria/index.html"])
     assert {f"galeria/fuentes/{f}.js" for f in fuentes_} == {f for f in hay if "/fuentes/" in f}
     programas = json.loads(re.search('id="programas">(.*)</script>', pagina)[1])
+    textos = json.loads(hay["web/datos/codigo.js"]) | json.loads(hay["web/datos/shaders.js"])
+    assert all(textos[f].strip() for p in programas for f in p["fuentes"] if not f.startswith("common/"))
     ejercicios = {f"ejercicio/{e['codigo']}" for p in programas for e in p["ejercicios"]}
     pagina = re.sub("<script.*?</script>", "", pagina, flags=re.S)
     enlaza = {e.split("/explica/")[0] for e in re.findall(r'\bhref="#([^"]+)"', pagina)}

@@ -124,13 +124,6 @@ const maneras = {
       await p.abre(enlace);
       await seVe(p, '118, 89');
     }
-    for (const tecla of ['Escape', 'x']) {
-      await p.abre('#espejo_plantilla');
-      await p.teclas('x');
-      await p.acaba('se apunta', apuntando);
-      await p.teclas(tecla);
-      await p.acaba(`${tecla} lo deja`, () => !marco.classList.contains('apunta') && una('.explicacion').hidden);
-    }
     await p.abre('#grua/explica/9999,1');
     await p.acaba('el que no hay se dice', () => /no está en la ventana/.test(aviso));
   },

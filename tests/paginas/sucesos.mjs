@@ -2,6 +2,7 @@
 // pone se quita, y de cada punto del lienzo sale su píxel.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import { Nodo } from './cuadro.mjs';
 
 class Clases extends Set {
   contains(clase) { return this.has(clase); }
@@ -9,19 +10,16 @@ class Clases extends Set {
   toggle(clase, si = !this.has(clase)) { return si ? this.add(clase) : this.delete(clase); }
 }
 
-/// Lo poco de un elemento que usan, sin nadie por encima; de cada selector, siempre el mismo.
-class Elemento extends EventTarget {
-  #como = new Map();
-  #dentro = new Map();
+/// De cada selector, siempre el mismo; y nadie por encima.
+class Elemento extends Nodo {
+  #dentro = {};
   classList = new Clases();
   isConnected = true;
   style = {};
+  textContent = '';
 
-  setAttribute(cual, valor) { this.#como.set(cual, String(valor)); }
-  getAttribute(cual) { return this.#como.get(cual) ?? null; }
-  append(...hijos) { this.hijos = hijos; }
-  replaceChildren(...hijos) { this.hijos = hijos; }
-  querySelector(cual) { return this.#dentro.get(cual) ?? this.#dentro.set(cual, new Elemento()).get(cual); }
+  getAttribute(cual) { return String(this.como[cual]); }
+  querySelector(cual) { return this.#dentro[cual] ??= new Elemento(); }
   getBoundingClientRect() { return { left: 30, top: 20, width: 240, height: 180 }; }
   focus() {}
   remove() {}
@@ -30,8 +28,10 @@ class Elemento extends EventTarget {
 
   /// Falso si alguien se lo queda.
   pasa(que, datos = {}) {
-    if (this[`on${que}`]) this.addEventListener(que, this[`on${que}`], { once: true });
-    return this.dispatchEvent(Object.assign(new Event(que, { cancelable: true }), { button: 0, pointerId: 1 }, datos));
+    const suceso = { target: this, currentTarget: this, button: 0, pointerId: 1, ...datos, stopPropagation() {},
+      preventDefault() { this.quedado = true; } };
+    for (const oye of [this[que], this[`on${que}`]]) oye?.(suceso);
+    return !suceso.quedado;
   }
 }
 
@@ -39,7 +39,7 @@ const pagina = new Elemento(), una = pagina.querySelector.bind(pagina), lienzo =
 lienzo.querySelector = () => lienzo; // hace también de su marco
 pagina.querySelector = que => que === '.lienzo canvas' ? lienzo : que === '.lienzo .aqui' ? undefined : una(que);
 pagina.createElement = () => new Elemento();
-let enVentana; // lo que oye las teclas antes que nadie
+const enVentana = new Elemento(); // lo que oye las teclas antes que nadie
 let semilla = 1;
 const azar = n => (semilla = semilla * 48271 % 2147483647) % n, elige = lista => lista[azar(lista.length)];
 
@@ -47,7 +47,7 @@ const azar = n => (semilla = semilla * 48271 % 2147483647) % n, elige = lista =>
 const conPagina = hace => async () => {
   const { setTimeout, clearTimeout } = globalThis;
   Object.assign(globalThis, { document: pagina, window: globalThis, requestAnimationFrame() {},
-    addEventListener: (_, oye) => { enVentana = oye; }, setTimeout: hace => relojes.push(hace),
+    addEventListener: (...oye) => enVentana.addEventListener(...oye), setTimeout: hace => relojes.push(hace),
     clearTimeout: cual => { delete relojes[cual - 1]; } });
   const modulos = ['entrada', 'punteria', 'mandos', 'proyeccion'].map(m => import(`../../herramientas/web/${m}.mjs`));
   hace(Object.assign({}, ...await Promise.all(modulos)));
@@ -69,7 +69,7 @@ test('se elige el píxel de debajo del puntero o adonde llevan las flechas, y nu
       const key = elige(Object.keys(FLECHAS)), shiftKey = azar(2) > 0, salto = shiftKey ? 10 : 1;
       assert.ok(!lienzo.pasa('keydown', { key, shiftKey }), 'ya no lo es');
       [x, y] = [dentro(x + salto * FLECHAS[key][0], width), dentro(y + salto * FLECHAS[key][1], height)];
-      assert.equal(lienzo.hijos[0].style, `left: ${100 * (x + 0.5) / width}%; top: ${100 * (y + 0.5) / height}%`);
+      assert.equal(lienzo.hijos.at(-1).style, `left: ${100 * (x + 0.5) / width}%; top: ${100 * (y + 0.5) / height}%`);
     }
     const [clientX, clientY] = [azar(300), azar(240)], como = azar(4);
     if (como === 1) [x, y] = [(clientX - 30) * width / 240, (clientY - 20) * height / 180];
@@ -80,6 +80,29 @@ test('se elige el píxel de debajo del puntero o adonde llevan las flechas, y nu
       [hechos, false, 'false']);
   }
 }));
+
+test('cada tecla es de quien tiene el foco o, si el programa la usa, suya; con Ctrl o Meta, del navegador', conPagina(
+  ({ atiendeTeclado }) => {
+    const dadas = [], escena = { manda: orden => dadas.push(orden), recarga: () => dadas.push('especial F5') };
+    const mandos = [{ teclas: [['d', 'tecla d'], ['Espacio', 'tecla Espacio'], ['←', 'especial IZQUIERDA']] }];
+    const ORDENES = { d: 'tecla d', ' ': 'tecla Espacio', ArrowLeft: 'especial IZQUIERDA', ArrowDown: 'especial ABAJO',
+      z: 'tecla z', Enter: 'tecla Intro', Escape: 'tecla Esc', F1: 'especial F1', F5: 'especial F5', Tab: '', F12: '' };
+    let programa;
+    pagina.body = new Elemento();
+    pagina.querySelector = (antes => que => que === '.apunta' ? undefined : antes(que))(pagina.querySelector);
+    atiendeTeclado(escena, () => programa);
+    for (let vez = 0; vez < 2000; ++vez) {
+      const foco = elige(['body', 'canvas', 'button', 'a', 'summary', 'select', 'input', '.editor', '.opciones']);
+      const target = { closest: que => que.split(', ').includes(foco) }, key = elige(Object.keys(ORDENES));
+      const cualquiera = !azar(4), con = elige(['', '', 'ctrlKey', 'metaKey']), orden = con ? '' : ORDENES[key];
+      programa = azar(9) ? { mandos, cualquiera } : undefined;
+      const loUsa = /^(Escape|F\d)$/.test(key) ? foco === 'canvas' : cualquiera || 'd ArrowLeft'.includes(key);
+      const loPulsa = /^(button|a|summary)$/.test(foco) && /^( |Enter)$/.test(key);
+      const suya = programa && orden && loUsa && !loPulsa && !/select|input|editor|opciones/.test(foco);
+      const quedada = !pagina.pasa('keydown', { key, target, [con]: true, getModifierState: () => false });
+      assert.deepEqual([quedada, dadas.splice(0)], suya ? [true, [orden]] : [false, []], `${con} ${key} en ${foco}`);
+    }
+  }));
 
 test('cada botón y la rueda llegan como son, en su sitio; lo que se pulsa se suelta, y hasta ahí se repite', conPagina(
   ({ atiende, ponMandos }) => {
@@ -130,11 +153,10 @@ test('proyectando, lo que se pasa se ve, cada tecla del programa es suya y al sa
     programa = azar(9) && { mandos: [{ teclas: suyas.map(t => [t, t]) }] };
     pagina.fullscreenElement = azar(9) ? escena : undefined;
     const key = elige([...Object.keys(PASAN), 'b', '.', '?', 'x']), ctrlKey = !azar(9);
-    const suceso = Object.assign(new Event('keydown', { cancelable: true }), { key, ctrlKey });
-    enVentana(suceso);
+    const quedada = !enVentana.pasa('keydown', { key, ctrlKey });
     const deOtro = !programa || !pagina.fullscreenElement || ctrlKey || key === 'x' ||
       suyas.includes(/^Arrow/.test(key) ? 'especial DERECHA' : key);
-    assert.deepEqual([suceso.defaultPrevented, hechas.splice(0).join(), ...clases()], deOtro ? [false, '', negro, ayuda]
+    assert.deepEqual([quedada, hechas.splice(0).join(), ...clases()], deOtro ? [false, '', negro, ayuda]
       : [true, PASAN[key] ?? '', /^[b.]$/.test(key) && !negro, ayuda !== (key === '?')], `${key}, con ${suyas}`);
     const dice = ` ${escena.querySelector('.teclas').textContent} `;
     if (!deOtro) for (const t of ['b', '.']) assert.equal(dice.includes(` ${t} `), !suyas.includes(t), dice);
