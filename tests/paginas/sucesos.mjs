@@ -94,7 +94,9 @@ test('cada tecla es de quien tiene el foco o, si el programa la usa, suya; con C
     for (let vez = 0; vez < 2000; ++vez) {
       const foco = elige(['body', 'canvas', 'button', 'a', 'summary', 'select', 'input', '.editor', '.opciones']);
       const target = { closest: que => que.split(', ').includes(foco) }, key = elige(Object.keys(ORDENES));
-      const cualquiera = !azar(4), con = elige(['', '', 'ctrlKey', 'metaKey']), orden = con ? '' : ORDENES[key];
+      const cualquiera = !azar(4), con = elige(['', '', 'ctrlKey', 'metaKey', 'altKey']);
+      const conAlt = con === 'altKey' && foco === 'canvas' && key.length === 1; // con AltGr se escribe, y es suya
+      const orden = con && !conAlt ? '' : ORDENES[key];
       programa = azar(9) ? { mandos, cualquiera } : undefined;
       const loUsa = /^(Escape|F\d)$/.test(key) ? foco === 'canvas' : cualquiera || 'd ArrowLeft'.includes(key);
       const loPulsa = /^(button|a|summary)$/.test(foco) && /^( |Enter)$/.test(key);
@@ -126,12 +128,13 @@ test('cada botón y la rueda llegan como son, en su sitio; lo que se pulsa se su
     }
     ponMandos({ derecho: true, mandos: [{ teclas: [['d', 'tecla d'], ['F5', 'especial F5']], hace: '' }] }, escena);
     const [{ hijos: [d, f5] }, { hijos: [boton] }] = una('.mandos').hijos;
-    for (const fin of ['pointerup', 'pointerleave', 'pointercancel', '']) {
-      for (let n = 1 + azar(2); n > 0; --n) d.pasa('pointerdown');
+    for (const [i, fin] of ['pointerup', 'pointerleave', '', 'pointercancel'].entries()) {
+      d.isConnected = true;
+      for (let dedos = 1 + i % 2; dedos > 0; --dedos) d.pasa('pointerdown');
       for (let n = azar(4); n >= 0; --n) corre();
       assert.ok(dadas.splice(0).every(orden => orden === 'tecla d') && relojes.length === 1, 'se repite');
-      if (fin) d.pasa(fin);
-      else d.isConnected = false; // se ha ido a otro programa
+      d.pasa(fin);
+      d.isConnected = Boolean(fin); // si no, se ha ido a otro programa
       corre();
       assert.deepEqual([dadas, relojes], [[], []], fin);
     }
