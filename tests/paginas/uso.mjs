@@ -32,17 +32,6 @@ const entradas = {
     await p.es('grua-orbitada');
   },
 
-  'el ratón y la rueda, con uno y dos píxeles de la pantalla en cada uno': async p => {
-    for (const densidad of [2, 1]) {
-      await p.talla(1280, 800, densidad);
-      await p.abre('#grua', `width: ${240 / densidad}px; height: ${180 / densidad}px`);
-      await p.arrastra([[60, 90], [100, 80], [160, 60]].map(([x, y]) => [x / densidad, y / densidad]));
-      await p.pagina.mouse.wheel({ deltaY: -100 });
-      await p.acaba('la rueda', () => hecho.ordenes.some(o => o.startsWith('rueda')));
-      await p.es('grua-orbitada');
-    }
-  },
-
   'un dedo y una pinza': async p => {
     await p.abre('#grua');
     await p.dedos([[[60, 90], [100, 80], [160, 60]]]);
