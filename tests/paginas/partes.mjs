@@ -10,6 +10,7 @@ import { bytes, descomprime } from '../../herramientas/web/datos.mjs';
 import { cifra } from '../../herramientas/base/cuadro.mjs';
 import { Indice, llano, palabras, trozo } from '../../herramientas/base/busca.mjs';
 import { casoDe, enEnlace, hazEnlace, leeEnlace, pixelEn, programaDe } from '../../herramientas/web/enlaces.mjs';
+import { leeDicho } from '../../herramientas/web/dichos.mjs';
 import { delEjercicio, leeError, ordenaFuentes } from '../../herramientas/web/fuentes.mjs';
 import { BOTONES, Gestos } from '../../herramientas/web/gestos.mjs';
 import { casoInicial, Hecho, leeGuion, LIMITES, Reloj, repite } from '../../herramientas/web/guiones.mjs';
@@ -460,7 +461,9 @@ test('un guion se acorta hasta lo que basta', async () => {
       basta(...hacen.split(' ')), 40), quedan.split(' '));
 });
 
-test('los errores de los shaders', () => {
+test('los errores de los shaders, y de cada cosa que dice clang, si es un error', () => {
+  tabla(clase => leeDicho(`/lab/a.cpp:1:2: ${clase}: x`, {}).map(d => d.clase).join(),
+    ['error', 'error'], ['fatal error', 'error'], ['warning', 'aviso'], ['note', '']);
   tabla(linea => leeError(linea, 'ch03_a'),
     ["lab: ch05_a/phong.glsl:47: 'P4' : undeclared identifier — «N = unitario(P4);»",
       { ruta: 'ch05_a/phong.glsl', linea: 47, mensaje: "«P4» no está declarado ('P4' : undeclared identifier)" }],
