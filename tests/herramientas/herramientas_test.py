@@ -19,7 +19,7 @@ from types import SimpleNamespace
 import pytest
 
 from base import catalogo, controles, defectos, evidencia, fuentes, guiones, libro, marcas, paginas, procesos
-from ejercicios import en_pagina, nuevo, propios
+from ejercicios import nuevo, propios
 from ejercicios.corrige import entrega, shaders
 from galeria import dibuja
 from galeria.pagina import AQUI as GALERIA, MODULOS, PaginaGaleria

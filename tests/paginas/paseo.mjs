@@ -67,7 +67,8 @@ export async function pasea(p, { pasos, sitios, lista }) {
     const ahora = await p.da(() => cuadro().then(() => location.hash)), es = ahora === antes;
     antes = ahora;
     if (es) continue;
-    if (engrande || que === 'tecla' && !/^(Enter| )$/.test(hecho.at(-1))) historia[historia.length - 1] = ahora;
+    const pasa = que !== 'va' && (engrande || que === 'tecla' && !/^(Enter| )$/.test(hecho.at(-1)));
+    if (pasa) historia[historia.length - 1] = ahora;
     else if (que !== 'atras') historia.push(ahora);
     if (await p.da(() => una('dialog')?.open)) continue;
     const completa = await p.da(() => document.fullscreenElement?.className.split(' ')[0]);
