@@ -67,9 +67,13 @@ const cambios = {
   },
 };
 
-/// La solución del programa.
-async function resuelve(p) {
-  for (const ruta of await p.da(() => Object.keys(visto.ejercicio.pide))) await p.reescribe(ruta, () => lee(ruta));
+/// La solución del programa o, mal hecha, con un error que se conoce.
+async function resuelve(p, mal) {
+  const { textos, defectos: [{ en, cambia: [desde, hasta, por] }] } =
+    (await p.da(() => pagina.deEjercicio(visto.ejercicio.codigo))).errores;
+  for (const ruta of await p.da(() => Object.keys(visto.ejercicio.pide)))
+    await p.reescribe(ruta, () => !mal ? lee(ruta) : ruta !== en ? textos[ruta]
+      : textos[ruta].slice(0, desde) + por + textos[ruta].slice(hasta));
 }
 
 /// La parte que coincide de lo que se ve, cuando ya se ha mirado si también lo demás; y lo que se dice.
@@ -82,10 +86,43 @@ async function parecido(p) {
   });
 }
 
+const resuelto = (p, codigo) =>
+  p.da(codigo => (localStorage.getItem('resueltos') ?? '').split(' ').includes(codigo), codigo);
+
 async function empieza(p, codigo) {
   await p.abre('#ejercicio/' + codigo);
   await p.acaba('empieza', () => /%/.test(una('.parecido output').textContent) && editor.ruta);
 }
+
+const cadaUno = CODIGOS.map(codigo => [`el ejercicio ${codigo}, mal y bien`, async p => {
+  await empieza(p, codigo);
+  await p.da(() => { if (visto.programa.anima) escena.manda('tecla Espacio'); });
+  const [antes] = await parecido(p), imagen = await p.imagen();
+  assert.ok(antes < 90, `sin hacer, coincide el ${antes} %`);
+
+  const linea = await p.da(() => cm.getValue().split('\n').findIndex(l => editor.esMarca(l)) + 2);
+  await p.escribe(linea, 'esto no compila;\n');
+  await p.acaba('un error', linea => una('.linea-mala') && estado.textContent.includes(`línea ${linea}: `), linea);
+  assert.deepEqual(await parecido(p), [antes, 'El shader tiene un error: la imagen es la de antes.']);
+  assert.deepEqual(await p.imagen(), imagen);
+
+  await resuelve(p, true);
+  let [coincide, dicho] = await parecido(p);
+  assert.deepEqual(await p.da(() => escena.errores), [], 'lo mal hecho compila');
+  assert.ok(coincide < 99.9 || dicho.startsWith('Falta'), `lo mal hecho coincide el ${coincide} %: ${dicho}`);
+  assert.equal(await resuelto(p, codigo), false);
+
+  await resuelve(p);
+  [coincide, dicho] = await parecido(p);
+  assert.ok(coincide === 100 && dicho.startsWith('Resuelto'), `hecho, coincide el ${coincide} %: ${dicho}`);
+  assert.ok(await resuelto(p, codigo));
+  for (const i of await p.da(() => Object.keys(visto.programa.casos))) {
+    await p.da(i => pagina.empiezaCaso(visto.programa.casos[i]), i);
+    assert.equal((await parecido(p))[0], 100, `hecho, el caso ${i} es igual`);
+  }
+  await p.da(() => { for (const tecla of 'dv2+') escena.manda('tecla ' + tecla); });
+  assert.equal((await parecido(p))[0], 100, 'y con las mismas teclas');
+}]);
 
 const ejercicios = {
   'los ejercicios resueltos se recuerdan, y en la lista se ve': async p => {
@@ -95,13 +132,8 @@ const ejercicios = {
     assert.deepEqual(suyos.sort(), CODIGOS.sort());
     await p.da(() => localStorage.setItem('resueltos', 'de_otra_clase')); // que no está en la página
     await empieza(p, 'L5.1');
-    const [antes] = await parecido(p);
-    await p.escribe(await p.da(() => cm.getValue().split('\n').findIndex(l => editor.esMarca(l)) + 2), 'no compila;\n');
-    await p.acaba('un error', () => una('.linea-mala'));
-    assert.deepEqual(await parecido(p), [antes, 'El shader tiene un error: la imagen es la de antes.']);
     await resuelve(p);
-    const [coincide, dice] = await parecido(p);
-    assert.ok(antes < 90 && coincide === 100 && dice.startsWith('Resuelto'), `coincide del ${antes} al ${coincide} %`);
+    assert.match((await parecido(p))[1], /^Resuelto/);
     await p.pagina.reload();
     await p.acaba('vuelve', () => sesion?.vivo);
     assert.equal((await parecido(p))[0], 100, 'lo escrito sigue');
@@ -125,6 +157,12 @@ const ejercicios = {
       !/lo mío/.test(cm.getValue()));
     await p.pulsa('.tarea button', 'Volver a lo mío');
     await p.acaba('y lo de uno sigue', () => !cm.getOption('readOnly') && /lo mío/.test(cm.getValue()));
+    await p.pulsa('.tarea button', 'Ver la solución');
+    for (const otro of ['L9.1', 'L9.2']) {
+      await p.va('#ejercicio/' + otro);
+      await p.acaba(`viéndola se pasa a ${otro}`, otro => visto.ejercicio?.codigo === otro && editor.ruta &&
+        !cm.getOption('readOnly') && conTexto('.tarea button', 'Ver la solución'), otro);
+    }
     assert.deepEqual(await p.descarga('.descarga'), ['mezcla.frag', await p.da(() => cm.getValue())]);
     await p.da(() => todos('button', estado)[0].click());
     await p.acaba('se borra', () => !visto.taller.cambios.size && !/mix\(/.test(cm.getValue()));
@@ -143,4 +181,4 @@ const ejercicios = {
   },
 };
 
-export const edicion = { ...cambios, ...ejercicios };
+export const edicion = { ...cambios, ...Object.fromEntries(cadaUno), ...ejercicios };

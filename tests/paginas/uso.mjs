@@ -30,6 +30,10 @@ const entradas = {
     await p.da(() => conTexto('.casos-botones button', 'Desde otro lado').click());
     await p.acaba('otro caso', () => hecho.ordenes.length > 2 && sesion?.vivo);
     await p.es('grua-orbitada');
+    await p.da(() => conTexto('.casos-botones button', 'Girada').click());
+    await p.acaba('tiene dirección', () => location.hash === '#grua-girada' && hecho.ordenes.length === 7);
+    await p.da(() => history.back());
+    await p.acaba('«Atrás» vuelve al de antes', () => visto.caso.fichero === 'grua-orbitada' && sesion?.vivo);
   },
 
   'un dedo y una pinza': async p => {
@@ -97,6 +101,12 @@ const entradas = {
       await p.abre(await p.da(() => location.hash));
       assert.deepEqual(await ve(), antes, enlace);
     }
+    await p.abre('#grua');
+    const [, , alEmpezar] = await ve();
+    await p.da(() => escena.manda('tecla d'));
+    await p.da(() => una('.enlace').click());
+    await p.va('#grua');
+    await p.acaba('y el del índice empieza de nuevo', alEmpezar => una('.estado').textContent === alEmpezar, alEmpezar);
   },
 };
 
@@ -250,6 +260,13 @@ const adversidades = {
     await p.acaba('un programa que no lee ninguno', () => /no lee ficheros/.test(aviso));
   },
 
+  'una ventana diminuta y una enorme': async p => {
+    for (const [talla, ancho] of [['width: 1px; height: 1px', 1], ['width: 9000px; height: 6750px', 4096]]) {
+      await p.abre('#grua', talla);
+      await p.acaba(talla, ancho => sesion?.lienzo.width === ancho && sesion.vivo, ancho);
+    }
+  },
+
   'el contexto perdido, y devuelto': async p => {
     await p.abre('#grua;tecla d ×7');
     await p.da(() => {
@@ -305,6 +322,18 @@ const pagina = {
       await p.acaba(`el índice señala adónde lleva ${enlace}`, marcado => una('#no-esta').hidden &&
         una('.programas [aria-current]')?.hash === marcado, marcado);
     }
+  },
+
+  'de cada fichero que se enseña está su texto': async p => {
+    await p.abre('#grua');
+    assert.deepEqual(await p.da(async () => {
+      const rutas = new Set(JSON.parse(una('#programas').textContent).flatMap(q => q.fuentes)), vacios = [];
+      for (const ruta of rutas) {
+        await editor.abre(ruta);
+        if (!cm.getValue().trim()) vacios.push(ruta);
+      }
+      return vacios;
+    }), []);
   },
 
   'nada se sale, y se ve lo que hay que ver': async p => {
