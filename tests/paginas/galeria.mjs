@@ -5,7 +5,6 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { seBusca, seCopia, sonDelNavegador } from './comun.mjs';
 import { ABRE, CAPITULOS, CASOS, enNavegadores, espera, lee, PROGRAMAS } from './navegador.mjs';
-import { pasea } from './paseo.mjs';
 
 const capituloDe = caso => PROGRAMAS.find(p => p.nombre === caso.programa).capitulo;
 const ANIMADOS = CASOS.filter(c => c.anima).map(c => c.fichero);
@@ -225,12 +224,8 @@ const enLosDos = {
   },
 };
 
-const SITIOS = ['', '#ch05_iluminacion', '#grua', '#grua-girada', '#L5.1', '#l5.1', '#cap5', '#no_esta', '#%'];
-
 // Firefox no deja pedir que se imprima, ni menos movimiento, desde fuera.
 const deChromium = {
-  'un paseo al azar': p => pasea(p, { pasos: 60, sitios: SITIOS, lista: () => true }),
-
   'en papel, un capítulo o un programa es eso, sin nada que se pulse': async p => {
     await p.carga();
     const SUYO = { '': '', 'grua-girada': 'grua', 'E3.5': 'grua' };
