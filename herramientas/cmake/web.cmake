@@ -79,7 +79,6 @@ set(en_la_pagina -fexceptions -sMIN_WEBGL_VERSION=2 -sMAX_WEBGL_VERSION=2 -sALLO
   -sEXPORTED_FUNCTIONS=_main,_glutOrden,_glutOpciones,_glutRedibuja,_explicaPregunta,_explicaResponde,_explicaCuadroVivo)
 target_link_options(laboratorio PRIVATE -Oz -sEXPORT_NAME=Laboratorio ${en_la_pagina})
 
-
 # El taller: lo que hace falta para enlazar en la página un programa que se acaba de escribir. Un objeto con todo lo que no se toca (GLUT,
 # quien explica, la biblioteca de C++), y el JavaScript de cualquiera que se enlace con él: se hace con -O1 y -sWASM_BIGINT, que dejan a
 # cada función su nombre y el binario como sale, y sin quitar lo que nadie llama, que alguno lo llamará.
@@ -98,6 +97,7 @@ endfunction()
 junta_en(fijo.o $<TARGET_FILE:explica> $<TARGET_FILE:reescritor> $<TARGET_FILE:glut_web> ${del_sistema})
 add_library(main_taller OBJECT ${sin_ventana}/taller_web.cpp)
 target_link_libraries(main_taller PRIVATE comun)
+target_compile_options(main_taller PRIVATE -fmacro-prefix-map=${CMAKE_SOURCE_DIR}/=) # su assert no dice dónde se ha hecho
 add_executable(taller EXCLUDE_FROM_ALL $<TARGET_OBJECTS:main_taller> ${partes}/fijo.o)
 target_link_libraries(taller PRIVATE comun)
 set_target_properties(taller PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${partes})

@@ -33,7 +33,7 @@ function ayuda(hay) {
 export function atiendeProyeccion(programa, mueve) {
   document.addEventListener('fullscreenchange', () => escena.classList.remove('negro', 'con-teclas'));
   addEventListener('keydown', suceso => { // antes que el programa
-    if (document.fullscreenElement !== escena || esDelNavegador(suceso)) return;
+    if (document.fullscreenElement !== escena || !programa() || esDelNavegador(suceso)) return;
     const hay = teclas(programa(), mueve), hace = hay[suceso.key];
     if (!hace) return;
     suceso.preventDefault();

@@ -1,8 +1,11 @@
 """Dónde está lo que importan las pruebas de herramientas/, y lo que comparten las de ./lab corrige."""
+import re
 import sys
+from html.parser import HTMLParser
 from pathlib import Path
 from types import SimpleNamespace
 
+import jinja2
 import pytest
 
 RAIZ = Path(__file__).parents[2]
@@ -20,3 +23,34 @@ def juzga(monkeypatch):
         monkeypatch.setattr(de_clase, "Correccion", hecha)
 
     return pon
+
+
+class Etiquetas(HTMLParser):
+    """Que cada una se cierre en su orden, que ningún id se repita y que cada enlace a la misma página lleve a uno."""
+
+    def __init__(self, pagina):
+        super().__init__()
+        self.abiertas, self.ids, self.enlaces = [], [], set()
+        self.feed(pagina)
+        assert not self.abiertas and len(self.ids) == len({*self.ids})
+        assert "programas" in self.ids or self.enlaces <= {*self.ids}, self.enlaces - {*self.ids}
+
+    def handle_starttag(self, etiqueta, suyos):
+        self.ids += [id_ for que, id_ in suyos if que == "id"]
+        self.enlaces |= {enlace[1:] for que, enlace in suyos if que == "href" and re.match("#.", enlace)}
+        self.abiertas += [etiqueta] * (etiqueta not in ("meta", "link", "img", "input", "br", "source", "col", "hr"))
+
+    def handle_endtag(self, etiqueta):
+        assert etiqueta == self.abiertas.pop(), self.getpos()
+
+
+@pytest.fixture(autouse=True)
+def paginas_enteras(monkeypatch):
+    """Las que escriba cualquier prueba."""
+    hace = jinja2.Template.render
+
+    def comprueba(*p, **datos):
+        hecha = hace(*p, **datos)
+        return Etiquetas(hecha) and hecha if hecha.startswith("<!DOCTYPE") else hecha
+
+    monkeypatch.setattr(jinja2.Template, "render", comprueba)

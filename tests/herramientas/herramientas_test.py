@@ -1,6 +1,8 @@
 """Los módulos de herramientas/, por lo que hacen: cada cuenta frente a un caso resuelto a mano, sin compilar nada."""
+import base64
 import html
 import itertools
+import json
 import math
 import os
 import random
@@ -8,6 +10,7 @@ import re
 import subprocess
 import sys
 import time
+import zlib
 from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
@@ -15,7 +18,7 @@ from types import SimpleNamespace
 import pytest
 
 from base import catalogo, controles, defectos, evidencia, fuentes, guiones, libro, marcas, paginas, procesos
-from ejercicios import en_pagina, nuevo
+from ejercicios import nuevo, propios
 from ejercicios.corrige import entrega, shaders
 from explica import fuentes as de_shaders, orden as de_explica, palabras
 from galeria import dibuja
@@ -26,12 +29,12 @@ from windows import paquete
 from mentira import BUILD, RAIZ, siembra
 
 FUENTES = [f for f in RAIZ.glob("c*/**/*.*") if f.suffix in (".cpp", ".h", ".vert", ".frag", ".glsl")]
+LEEN = r'"((?:assets|common|ch\d\d_\w+)/[\w.]+\.(?:vert|frag|glsl|vf|txt|rgb|r8))"'
 
 
 def test_el_zip_de_windows_tiene_lo_que_leen_los_programas(tmp_path, monkeypatch):
     """Lo que nombran sus fuentes, lo que enlaza su página, y de cada biblioteca que lleva dentro, su licencia."""
-    nombre = r'"((?:assets|common|ch\d\d_\w+)/[\w.]+\.(?:vert|frag|glsl|vf|txt|rgb|r8))"'
-    nombrados = {f for fuente in FUENTES for f in re.findall(nombre, fuente.read_text())}
+    nombrados = {f for fuente in FUENTES for f in re.findall(LEEN, fuente.read_text())}
     metidos, mini = {}, lambda _, caso: f"{caso.programa.nombre}.webp" if not caso.programa.consola else None
     monkeypatch.setattr(paquete.Paquete, "mete", lambda _, donde, fichero: metidos.update({str(donde): fichero}))
     monkeypatch.setattr(paquete, "ejecuta", lambda *_, **__: "")
@@ -280,33 +283,61 @@ def test_cada_enlace_de_la_galeria_lleva_a_algo(tmp_path, en_marcha):
     assert ("faltan 3 programas" in escrita, "http-equiv" in escrita) == (True, en_marcha)
     dichas = [*map(html.unescape, re.findall(r"<code>\./lab (explica \w+ \d[^<]*)<", escrita))]
     assert all(re.fullmatch(r'explica \w+ \d+ \d+( -guion "[^"]+")?', o) for o in dichas) and bool(dichas) != en_marcha
-    hay = {f"#{suyo}" for suyo in re.findall(r'\bid="([^"]+)"', escrita)}
-    lleva = [p.nombre for p in programas] + [f"ejercicio/{ref}" for ref in shaders.ejercicios(RAIZ, programas)]
-    hay |= {f"../web/index.html{a}" for a in ("", *(f"#{a}" for a in lleva)) if en_marcha}
-    enlaces = {re.sub("/explica/.*", "", e) for e in re.findall(r'\bhref="([^"]+)"', escrita)}
-    assert enlaces and not {e for e in enlaces - hay if not (e.endswith(".png") or e.startswith("data:"))}
+    lleva = {f"#{p.nombre}" for p in programas} | {f"#ejercicio/{r}" for r in shaders.ejercicios(RAIZ, programas)}
+    enlaces = {re.sub("/explica/.*", "", e) for e in re.findall(r'\bhref="../web/index.html([^"]*)"', escrita)}
+    assert enlaces <= lleva | {""} and bool(enlaces) == en_marcha
 
 
-def test_lo_oculto_no_se_ensena(tmp_path, monkeypatch):
-    monkeypatch.setattr(controles, "atiende", lambda *_, **__: (set(), []))
-    raiz = tmp_path / "lab"
-    raiz.mkdir()
-    for f in RAIZ.iterdir():
-        (raiz / f.name).symlink_to(f)
+def test_lo_que_se_sirve(tmp_path, monkeypatch):
+    """La galería y la página, sin comprimir y con todo oculto: ninguna línea de una solución, salvo, en su shader, la
+    que se dibuja; cada enlace lleva a algo, el de un ejercicio, a él; y están los fuentes y lo que leen."""
+    raiz, build = tmp_path / "lab", tmp_path / "build"
+    for copia, de in (raiz, RAIZ), (build, BUILD):
+        copia.mkdir()
+        [(copia / f.name).symlink_to(f) for f in de.iterdir() if f != BUILD / "web"]
+    de_clase = {f"clase.{tipo}" for tipo in ("vert", "frag", "glsl", "vf")}
+    siembra(
+        tmp_path,
+        {"build/web/lab.js": "", "build/web/lab.wasm": "", **{f"lab/{propios.CARPETA}/x/{f}": "" for f in de_clase}},
+    )
     codigos = marcas.que_piden({f: f.read_text() for f in FUENTES})
     (raiz / "ocultos.txt").write_text("\n".join(codigos) + "  # los de este curso")
+    monkeypatch.setattr(controles, "atiende", lambda *_, **__: (set(), []))
+    monkeypatch.setattr(taller, "paquete", lambda _: build)
+    monkeypatch.setattr(de_la_pagina.Pagina, "empaqueta_taller", lambda _: {"ficheros": []})
+    de_la_pagina.Pagina(raiz, build / "web", tmp_path, tmp_path / "web").escribe(catalogo.lee(BUILD))
     PaginaGaleria(raiz, tmp_path / "galeria", catalogo.lee(BUILD)).escribe()
-    hay = en_pagina.los_que_hay(raiz, catalogo.lee_programas(BUILD)).items()
-    datos = [en_pagina.datos(raiz, BUILD, p, ref) for ref, p in hay if ref.startswith("E")]
-    assert len(datos) > 5 and all(en_pagina.resumen(raiz, p, r, libro.Libro(raiz))["que"] for r, p in hay)
-    (tmp_path / "galeria/datos.txt").write_text("\n".join(t for d in datos for t in d["esqueleto"].values()))
-    escritos = "".join(f.read_text() for f in (tmp_path / "galeria").rglob("*.*"))
-    se_lee = html.unescape(re.sub("<[^>]+>", "", escritos.replace('\\"', '"')))
-    trozos = [t["hecho"] for f in FUENTES for t in marcas.TROZO.finditer(f.read_text())]
-    hechas = {linea.strip() for hecho in trozos for linea in hecho.split("\n")}
+    hay = {str(f.relative_to(tmp_path)): f.read_text() for c in ("web", "galeria") for f in (tmp_path / c).rglob("*.*")}
+    datos = {nombre: re.fullmatch(r'llega\("(.*)","(.*)"\)\n', hay[nombre]) for nombre in hay if "/datos/" in nombre}
+    hay |= {f"web/datos/{m[1]}.js": zlib.decompress(base64.b64decode(m[2])).decode("latin1") for m in datos.values()}
+    trozos = [(f.suffix, t["hecho"]) for f in FUENTES for t in marcas.TROZO.finditer(f.read_text())]
+    hechas = {linea.strip(): tipo for tipo, hecho in trozos for linea in hecho.split("\n") if len(linea.strip()) > 30}
     de_otros = "".join(marcas.esqueleto(f.read_text()) for f in FUENTES)
-    de_mas = {linea for linea in hechas if len(linea) > 30 and linea in se_lee and linea not in de_otros}
-    assert len(hechas) > 150 and not de_mas
+    for nombre, escrito in hay.items():
+        se_lee = html.unescape(re.sub("<[^>]+>", "", escrito.replace('\\"', '"')))
+        de_mas = {linea for linea in hechas if linea.encode().decode("latin1" if nombre in datos else "utf8") in se_lee}
+        vale = nombre == "web/datos/shaders.js" and {linea for linea in hechas if hechas[linea] not in (".cpp", ".h")}
+        assert not {linea for linea in de_mas - (vale or set()) if linea not in de_otros}, nombre
+    indice = {n for suyos in json.loads(hay["web/datos/indice.js"])["ficheros"].values() for n in suyos.split()}
+    assert not indice & set(re.findall(r"\w+", " ".join(hechas))) - set(re.findall(r"\w+", de_otros))
+    leen = {Path(f).name for fuente in FUENTES for f in re.findall(LEEN, fuente.read_text())}
+    estan = {Path(f).name for f in json.loads(hay["web/datos/shaders.js"])} | {f[10:-3] for f in datos}
+    assert (
+        len(hechas) > 100 and de_clase | leen & {f.name for f in [*RAIZ.glob("*/*"), *BUILD.glob("assets/*")]} <= estan
+    )
+    pagina, fuentes_ = hay["web/index.html"], re.findall('data-fuente="([^"]+)"', hay["galeria/index.html"])
+    assert {f"galeria/fuentes/{f}.js" for f in fuentes_} == {f for f in hay if "/fuentes/" in f}
+    programas = json.loads(re.search('id="programas">(.*)</script>', pagina)[1])
+    textos = json.loads(hay["web/datos/codigo.js"]) | json.loads(hay["web/datos/shaders.js"])
+    assert all(textos[f].strip() for p in programas for f in p["fuentes"] if not f.startswith("common/"))
+    ejercicios = {f"ejercicio/{e['codigo']}" for p in programas for e in p["ejercicios"]}
+    pagina = re.sub("<script.*?</script>", "", pagina, flags=re.S)
+    enlaza = {e.split("/explica/")[0] for e in re.findall(r'\bhref="#([^"]+)"', pagina)}
+    assert (
+        ejercicios <= enlaza <= ejercicios | {p["nombre"] for p in programas} | set(re.findall('id="([^"]+)"', pagina))
+    )
+    hacerlo = re.findall(r'Para hacerlo: (<a href="#(\S+)">.*?</a> o )?<.*?<code>./lab nuevo (\S+)</code>', pagina)
+    assert hacerlo and all(a == f"ejercicio/{r}" or not a and f"ejercicio/{r}" not in ejercicios for _, a, r in hacerlo)
     assert not set(codigos) & set(libro.Libro(raiz).respuestas) and libro.Libro(raiz).respuestas
 
 

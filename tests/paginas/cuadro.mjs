@@ -6,7 +6,7 @@ import { muestraCuadro } from '../../herramientas/base/cuadro.mjs';
 import { dePython } from './navegador.mjs';
 
 /// Lo poco de un elemento que hace falta para escribir la página y leerla.
-class Nodo {
+export class Nodo {
   hijos = [];
   como = { class: '' };
   classList = { add() {}, toggle() {} };

@@ -161,14 +161,6 @@ class Persona {
     }, x, y);
   }
 
-  async arrastra(puntos, button = 'left') {
-    const { mouse } = this.pagina;
-    await mouse.move(...await this.punto(...puntos[0]));
-    await mouse.down({ button });
-    for (const otro of puntos.slice(1)) await mouse.move(...await this.punto(...otro));
-    await mouse.up({ button });
-  }
-
   /// Cada dedo va de un punto del lienzo a otro, todos a la vez.
   async dedos(caminos) {
     const dedos = [];

@@ -1,9 +1,8 @@
 // De cada manera de llegar a toda la pantalla, el lienzo ocupa lo que debe y se ve entero; dentro de otra página, los
-// programas son solo su imagen; y a quién le llega cada tecla según dónde está el foco.
+// programas son solo su imagen.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { createServer } from 'node:http';
-import { sonDelNavegador } from './comun.mjs';
 import { ABRE, PROGRAMAS } from './navegador.mjs';
 
 async function arranca(p, enlace) {
@@ -58,7 +57,7 @@ const proyectando = {
     await p.acaba('se dice qué caso es', () => una('h2.proyectado').textContent === 'La tetera de Utah: La malla');
   },
 
-  'proyectando, Inicio y Fin van por el capítulo; b y el punto, en negro, y ?, la ayuda, si no las usa': async p => {
+  'proyectando, Inicio y Fin van por el capítulo': async p => {
     const suyos = PROGRAMAS.filter(q => q.capitulo === 'ch08_texturas_avanzadas').map(q => q.nombre);
     await arranca(p, '#bump');
     await p.pulsa('.proyecta');
@@ -67,23 +66,6 @@ const proyectando = {
       await p.teclas(tecla);
       await p.acaba(cual, cual => visto.programa.nombre === cual && sesion?.vivo, cual);
     }
-    for (const [enlace, usa] of [['#grua', ''], ['#bump', 'b'], ['#volumen_vista', '.']]) {
-      await p.va(enlace);
-      await p.acaba(enlace, enlace => '#' + visto.programa.nombre === enlace && sesion?.vivo, enlace);
-      for (const [tecla, clase] of [['b', 'negro'], ['.', 'negro'], ['?', 'con-teclas']]) {
-        for (const debe of [tecla !== usa, false]) {
-          await p.teclas(tecla);
-          assert.equal(await p.da(clase => una('.escena').classList.contains(clase), clase), debe, enlace + tecla);
-        }
-      }
-      await p.teclas('?');
-      const dicha = await p.da(() => una('.teclas').offsetParent && ` ${una('.teclas').textContent} `);
-      for (const tecla of 'b.') assert.equal(dicha.includes(` ${tecla} `), tecla !== usa, dicha);
-      await p.teclas('?');
-    }
-    await p.teclas('b');
-    await p.da(() => document.exitFullscreen());
-    await p.acaba('al volver a proyectar no está en negro', () => !una('.negro'));
   },
 };
 
@@ -175,16 +157,6 @@ const incrustado = {
     await p.exige('y las de fuera son de fuera', () => teclas.join() === 'd' && suyo.value === 'd');
   }),
 
-  'la dirección de lo incrustado, escrita a mano': async p => {
-    await p.abre('#incrusta/grua?tecla=d&tecla=d');
-    const solo = () => p.da(() => document.body.classList.contains('incrustado') && hecho.ordenes.length);
-    assert.equal(await solo(), 2);
-    await p.va(await p.da(() => una('.suelto').hash));
-    await p.acaba('en su página', () => sesion?.vivo && hecho.ordenes.length === 2 &&
-      !document.body.classList.contains('incrustado'));
-    await p.va('#incrusta/no_esta');
-    await p.acaba('lo que no está', () => !una('#no-esta').hidden && !document.body.classList.contains('incrustado'));
-  },
 };
 
 // --- la página ---
@@ -238,65 +210,4 @@ const paginaAbierta = {
   },
 };
 
-// --- las teclas ---
-
-// Con banderas, que usa la d y Espacio, y el foco en cada clase de elemento: a quién le llega cada una.
-const FOCOS = {
-  //                         d           Espacio     Intro       F1
-  'body':                  ['programa', 'programa', 'nadie',    'nadie'],
-  'canvas':                ['programa', 'programa', 'nadie',    'programa'],
-  '.acciones .enlace':     ['programa', 'pulsa',    'pulsa',    'nadie'],
-  '.migas a.siguiente':    ['programa', 'nadie',    'pulsa',    'nadie'],
-  '.programas summary':    ['programa', 'pulsa',    'pulsa',    'nadie'],
-  '#elige':                ['nadie',    'nadie',    'nadie',    'nadie'],
-  'input[type=search]':    ['escribe',  'escribe',  'pulsa',    'nadie'],
-  '.editor textarea':      ['escribe',  'escribe',  'escribe',  'nadie'],
-};
-
-const teclas = {
-  'a quién le llega cada tecla, según dónde está el foco': async p => {
-    await arranca(p, '#banderas');
-    await p.acaba('el editor', () => editor.ruta && !cm.getOption('readOnly'));
-    await p.da(() => {
-      escena.manda = orden => { if (!orden.startsWith('espera')) recibe.push('programa'); return true; };
-      una('#programa').insertAdjacentHTML('beforeend', '<select id="elige"><option>a<option>b</select>');
-      document.addEventListener('click', suceso => {
-        suceso.preventDefault();
-        suceso.stopPropagation();
-        recibe.push('pulsa');
-      }, { capture: true });
-      document.addEventListener('input', () => recibe.push('escribe'));
-      cm.on('change', () => recibe.push('escribe'));
-    });
-    const hay = {};
-    for (const foco of Object.keys(FOCOS)) {
-      hay[foco] = [];
-      for (const tecla of ['d', ' ', 'Enter', 'F1']) {
-        await p.da(foco => {
-          globalThis.recibe = [];
-          document.activeElement.blur();
-          una(foco).focus();
-        }, foco);
-        if (tecla === 'Enter' && foco.startsWith('input'))
-          await p.acaba('lo escrito sale', () => todos('.hallazgos a').length);
-        await p.teclas(tecla);
-        hay[foco].push(await p.da(() => cuadro().then(() => [...new Set(recibe)].join() || 'nadie')));
-      }
-      await p.teclas('Escape');
-    }
-    assert.deepEqual(hay, FOCOS);
-  },
-
-  'las teclas del programa no mueven la página, y las demás, o con Ctrl y Meta, son del navegador': async p => {
-    await arranca(p, '#grua');
-    assert.deepEqual(await p.da(() => ['a', 'd', 'Escape', 'Tab', 'F12', 'ñ', 'ArrowDown', 'z', 'Shift', 'Dead']
-      .filter(key =>
-        !una('canvas').dispatchEvent(new KeyboardEvent('keydown', { key, bubbles: true, cancelable: true })))),
-      ['a', 'd', 'Escape']);
-    await sonDelNavegador(p);
-    await sonDelNavegador(p, 'canvas', ['ctrlKey', 'metaKey']);
-  },
-};
-
-export const pantalla = { ...Object.fromEntries(aTodaPantalla), ...proyectando, ...incrustado, ...paginaAbierta,
-  ...teclas };
+export const pantalla = { ...Object.fromEntries(aTodaPantalla), ...proyectando, ...incrustado, ...paginaAbierta };

@@ -10,6 +10,7 @@ import { bytes, descomprime } from '../../herramientas/web/datos.mjs';
 import { cifra } from '../../herramientas/base/cuadro.mjs';
 import { Indice, llano, palabras, trozo } from '../../herramientas/base/busca.mjs';
 import { casoDe, enEnlace, hazEnlace, leeEnlace, pixelEn, programaDe } from '../../herramientas/web/enlaces.mjs';
+import { leeDicho } from '../../herramientas/web/dichos.mjs';
 import { delEjercicio, leeError, ordenaFuentes } from '../../herramientas/web/fuentes.mjs';
 import { BOTONES, Gestos } from '../../herramientas/web/gestos.mjs';
 import { casoInicial, Hecho, leeGuion, LIMITES, Reloj, repite } from '../../herramientas/web/guiones.mjs';
@@ -17,8 +18,9 @@ import { compara, esPpm, porciento, ppmDe, quepa, tallaDe, TOLERA } from '../../
 import { conInclusiones, lineasDe } from '../../herramientas/web/lineas.mjs';
 import { acorta, aparte, nota } from '../../herramientas/web/nota.mjs';
 import { ordenDeTecla } from '../../herramientas/web/teclas.mjs';
-import { nombreLlano } from '../../herramientas/web/textos.mjs';
+import { corta, nombreLlano } from '../../herramientas/web/textos.mjs';
 import './cuadro.mjs';
+import './sucesos.mjs';
 import { dePython } from './navegador.mjs';
 
 const [raiz, build] = process.argv.slice(2);
@@ -164,7 +166,8 @@ test('todo se encuentra: cada nombre, título, referencia, pie, tecla e identifi
       }
     }
     for (const ruta of fuentes) {
-      const suyos = indice.ficheros[ruta].split(' '), identificador = suyos[azar(suyos.length)];
+      const codigo = readFileSync(`${raiz}/${ruta}`, 'utf8').replace(/"[^"\n]*"|\/\/.*|\/\*[^]*?\*\//g, ' ');
+      const suyos = codigo.match(/\b[A-Za-z_]\w{2,}/g), identificador = suyos[azar(suyos.length)];
       assert.ok(lo(identificador), `${identificador} de ${ruta}`);
     }
   }
@@ -458,7 +461,9 @@ test('un guion se acorta hasta lo que basta', async () => {
       basta(...hacen.split(' ')), 40), quedan.split(' '));
 });
 
-test('los errores de los shaders', () => {
+test('los errores de los shaders, y de cada cosa que dice clang, si es un error', () => {
+  tabla(clase => leeDicho(`/lab/a.cpp:1:2: ${clase}: x`, {}).map(d => d.clase).join(),
+    ['error', 'error'], ['fatal error', 'error'], ['warning', 'aviso'], ['note', '']);
   tabla(linea => leeError(linea, 'ch03_a'),
     ["lab: ch05_a/phong.glsl:47: 'P4' : undeclared identifier — «N = unitario(P4);»",
       { ruta: 'ch05_a/phong.glsl', linea: 47, mensaje: "«P4» no está declarado ('P4' : undeclared identifier)" }],
@@ -486,6 +491,7 @@ test('tallas, imágenes y lo guardado', () => {
   assert.equal(String.fromCharCode(...ppm), 'P6\n1 2\n255\n\x01\x02\x03\x04\x05\x06');
   assert.ok(esPpm(ppm) && !esPpm(Uint8Array.of(0x50, 0x35)));
   assert.equal(nombreLlano('../año 1.vf'), '.._a_o_1.vf');
+  tabla(corta, ['abc', 3, 'abc'], ['abcd', 3, 'abc…'], ['', 0, '']);
   assert.deepEqual(leeCambios('[["a.frag","x"]]'), [['a.frag', 'x']]);
   tabla(leeCambios, ...[null, '', '{', '{}', '[1]', '[["a"]]', '[["a", 1]]', 'null'].map(malo => [malo, []]));
 });
