@@ -1,5 +1,5 @@
-"""Escenas al azar, que dibuja usos.cpp: cada orden, unos triángulos que cubren la ventana, con el estado que se le dice.
-Lo que ./lab explica debe decir de ellas sale de hacer aquí, con cada fragmento, lo que dice la especificación de OpenGL."""
+"""Escenas al azar, que dibuja usos.cpp: cada orden, unos triángulos que cubren la ventana, con el estado que se le
+dice. Lo que ./lab explica debe decir de ellas sale de hacer aquí, con cada fragmento, lo que manda OpenGL."""
 import json
 import operator
 import os
