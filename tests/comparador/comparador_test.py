@@ -90,6 +90,9 @@ def test_una_mancha_se_nota_este_donde_este(tmp_path):
             k = len(manchada) - 3 * 43200 + 3 * (240 * fila + x)
             manchada[k : k + 3 * ancho] = b"\x40" * (3 * ancho)
         assert compara(tmp_path, lisa, manchada, "--otro")[0] == (ancho == 3), (x, y, ancho)
+    raya = b"\x40" * 300  # fina, y sobre o falte
+    for dos in itertools.permutations((lisa, lisa[:-60000] + raya + lisa[300 - 60000 :])):
+        assert compara(tmp_path, *dos, "--otro")[0] == 1
 
 
 def test_lo_que_no_se_puede_comparar(tmp_path):

@@ -153,6 +153,11 @@ test('todo se encuentra: cada nombre, título, referencia, pie, tecla e identifi
     assert.equal(buscador.busca(titulo)[0].titulo, titulo);
     const casi = buscador.busca(`${titulo} xyzzy${palabras(titulo).length > 4 ? ' plugh' : ''}`);
     assert.ok(casi.length && casi.every(h => h.leFalta), `${titulo}, con otras palabras que no están`);
+    const larga = palabras(titulo).sort((a, b) => b.length - a.length)[0], i = 1 + azar(3);
+    const [antes, letra, otra, resto] = [larga.slice(0, i), larga[i], larga[i + 1] ?? '', larga.slice(i + 2)];
+    for (const mal of [antes + otra + resto, antes + letra + letra + otra + resto, `${antes}x${otra}${resto}`,
+      antes + otra + letra + resto]) // una letra de menos, de más o cambiada, o dos vecinas al revés
+      assert.ok(larga.length < 6 || lo(mal), `«${mal}», de ${titulo}`);
     for (const [clase, enlace, texto] of zonas) {
       assert.doesNotMatch(texto, /&#?\w+;|<\/?\w+[^<]*>/, `${titulo}: el texto, sin HTML`);
       const hallado = lo(clase === 'imagen' ? texto : palabras(texto).slice(0, 3).join(' '));
