@@ -433,18 +433,11 @@ def test_un_ejercicio_esta_para_darlo_si_todo_esta_bien(monkeypatch):
 
 def test_lo_que_se_da_y_lo_que_no(tmp_path):
     """A quien lo hace le llega lo de la carpeta, menos lo que es de quien enseña, y los huecos, vacíos."""
-    carpeta = escribe(
-        tmp_path / "molinete", agua_frag="void main() {}\n", aspa_vf="", notas_md="x", reglas_txt="texto = 7"
-    )
+    carpeta = escribe(tmp_path / "molinete", agua_frag="void", aspa_vf="", notas_md="x", reglas_txt="texto = 7")
     programa, mios = propios.propio(carpeta), tmp_path / "mios"
     assert nuevo.crea(RAIZ, [programa], mios, "molinete", "x")[0] == "molinete"
-    assert {f.name for f in (mios / "x").iterdir()} == {
-        "x.cpp",
-        "agua.frag",
-        "aspa.vf",
-        "ENUNCIADO.md",
-        "ejercicio.txt",
-    }
+    dado = "x.cpp agua.frag aspa.vf ENUNCIADO.md ejercicio.txt".split()
+    assert {f.name for f in (mios / "x").iterdir()} == {*dado}
     texto, enunciado = ((mios / "x" / f).read_text() for f in ("x.cpp", "ENUNCIADO.md"))
     assert "two_pi" not in texto and texto.count("// molinete: ") == texto.count("// fin de molinete") == 2
     assert enunciado.startswith(FICHEROS["ENUNCIADO.md"]) and "estén esas líneas (7)" in enunciado
