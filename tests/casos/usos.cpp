@@ -13,8 +13,6 @@
 #include <functional>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
-#include <iterator>
-#include <sstream>
 
 // clang-format off
 static std::string VERT = R"(#version 140
@@ -129,30 +127,6 @@ static void imagen(GLenum unidad, GLenum objetivo, GLint formato = GL_RGB8, GLen
     glActiveTexture(GL_TEXTURE0);
 }
 
-// Lo que dice azar.py: en cada renglón, el estado de una orden y las posiciones de sus vértices.
-static void alAzar() {
-    std::istringstream filas(std::getenv("ORDENES"));
-    for (std::string fila; std::getline(filas, fila);) {
-        std::istringstream numeros(fila);
-        const std::vector<GLfloat> v{std::istream_iterator<GLfloat>(numeros), {}};
-        const auto n = [&](std::size_t i) { return GLint(v[i]); };
-        const auto e = [&](std::size_t i) { return GLenum(v[i]); };
-        std::size_t i = 0;
-        for (const GLenum cual : {GL_CULL_FACE, GL_SCISSOR_TEST, GL_STENCIL_TEST, GL_DEPTH_TEST, GL_BLEND})
-            (n(i++) ? glEnable : glDisable)(cual);
-        glCullFace(e(5)), glFrontFace(e(6)), glScissor(n(7), n(8), n(9), n(10));
-        glStencilFunc(e(11), n(12), e(13)), glStencilOp(e(14), e(15), e(16));
-        glDepthFunc(e(17)), glDepthMask(GLboolean(n(18)));
-        glBlendFunc(e(19), e(20)), glBlendEquation(e(21));
-        glColorMask(n(22) != 0, n(23) != 0, n(24) != 0, n(25) != 0);
-        glUniform4fv(donde("tinte"), 1, &v[26]), glUniform1f(donde("corta"), v[30]);
-        glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(4 * (v.size() - 31)), &v[31], GL_STREAM_DRAW);
-        glDrawArrays(GL_TRIANGLES, 0, GLsizei(v.size() - 31) / 3);
-    }
-    glDisable(GL_SCISSOR_TEST); // o el cuadro siguiente no se borra entero
-    glDepthMask(GL_TRUE), glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-}
-
 struct Uso {
     const char *nombre;
     void (*haz)();
@@ -167,16 +141,6 @@ static const Uso USOS[] = {
          FRAG = std::getenv("CASO");
          antes = [] { glUniform1i(donde("uno"), 1), glUniform1f(donde("medio"), 0.5f); };
          dibujaPieza = [] { glDrawArrays(GL_TRIANGLES, 0, 3); };
-     }},
-    {"azar",
-     [] {
-         VERT = "#version 140\nin vec3 posicion;\nvoid main() {\n    gl_Position = vec4(posicion, 1.0);\n}\n";
-         FRAG = "#version 140\nuniform vec4 tinte;\nuniform float corta;\nout vec4 o;\nvoid main() {\n    o "
-                "= tinte;\n"
-                "    if (gl_FragCoord.x > corta)\n        discard;\n}\n";
-         borra |= GL_STENCIL_BUFFER_BIT;
-         trasIniciar = [] { atributo(0, 3, 0, 0); };
-         dibujaPieza = alAzar;
      }},
 #include "usos.inc"
 };

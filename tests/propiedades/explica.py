@@ -8,9 +8,11 @@ caso base de cada programa, o en todos sus casos, en N píxeles al azar, siempre
 - lo que lee de una textura es la suma de los texels que se dicen, con su peso;
 - no se sospecha nada de ninguno;
 - entre dos sucesos de la historia de un framebuffer nadie más cambia el píxel, ni lo cambia el que no escribe;
-- lo copiado es lo que había donde se dice, y el que gana es el último;
+- lo que pasa o no un test sale de comparar lo que pide con lo que había, lo copiado es lo que había donde se dice, y
+  el que gana es el último;
 - lo que se dice de cada orden es lo que OpenGL contesta a quien se lo pregunta (preguntado.py);
-- la línea del programa que se dice de cada orden y de cada uniform es de uno suyo, y nombra lo que se dice que llama.
+- la línea del programa que se dice de cada orden y de cada uniform es de uno suyo, y nombra lo que se dice que llama;
+- quien escribe cambia los canales que deja glColorMask y, si no mezcla, por los de su color.
 
 Sin decir el enlace, con el que se usa sin ventana y, si hay otro, uno de cada diez programas con él. Estado 1 si algo
 no se cumple.
@@ -47,6 +49,8 @@ SIN_SOSPECHAS = {  # lo que se sospecha, con razón, y aquí es así a propósit
 }
 TALLAS = "960x3", "3x960", "1x1", "240x180"
 COPIADO = "copiado de otro framebuffer"
+PASAN = "escrito", "profundidad", "mascara"  # los que llegan al test de profundidad
+VEREDICTOS = *PASAN, "ajeno", "cara", "descartado", "nada", "plantilla", "recorte"
 OTRA_TEXTURA = "no sé de qué texels sale: solo sigo texture y textureLod de un sampler2D, sampler3D o samplerCube"
 SALE_DE_LA_CARA = "el filtro sale de la cara, y en la de al lado no sé seguirlo"
 ANISOTROPO = "el filtro anisótropo lee más texels, que no sigo"
@@ -56,6 +60,44 @@ PASOS = 4000  # los que apunta, como mucho, sombreado.cpp
 def pixeles(imagen):
     """Los de un PPM, fila a fila desde arriba."""
     return imagen.read_bytes()[-3 * ANCHO * ALTO :]
+
+
+IGUALAN = operator.lt, operator.eq, operator.le, operator.gt, operator.ne, operator.ge, lambda a, b: 0, lambda a, b: 1
+FUNCIONES = "LESS EQUAL LEQUAL GREATER NOTEQUAL GEQUAL NEVER ALWAYS"
+COMPARA = dict(zip((f"GL_{nombre}" for nombre in FUNCIONES.split()), IGUALAN))
+CASI = 2e-6  # de profundidad: lo que puede cambiar al dibujar otra vez el triángulo solo
+
+
+def fallos_de_tests(suceso):
+    """Lo que dice de la plantilla y de la profundidad es lo que sale de comparar lo que pide con lo que había."""
+    veredicto = suceso["veredicto"]
+    if veredicto not in VEREDICTOS:
+        yield f"no hay ningún veredicto «{veredicto}»"
+    if "plantillaPide" in suceso and suceso["plantillaAntes"] is not None and veredicto not in ("cara", "recorte"):
+        funcion, referencia = suceso["plantillaPide"].split()
+        pasa = COMPARA[funcion](int(referencia), suceso["plantillaAntes"])
+        if veredicto != "descartado" and pasa == (veredicto == "plantilla"):
+            yield f"se pide {suceso['plantillaPide']} y había {suceso['plantillaAntes']}"
+    suya, habia = suceso.get("profundidad"), suceso.get("profundidadAntes")
+    if "profundidadPide" in suceso and suya is not None and habia is not None and veredicto in PASAN:
+        pasa = COMPARA[suceso["profundidadPide"]](suya, habia)
+        if abs(suya - habia) > CASI and pasa == (veredicto == "profundidad"):
+            yield f"se pide {suceso['profundidadPide']}, {suya}, y había {habia}"
+
+
+def fallos_de_mascara(suceso, canales):
+    """Quien escribe cambia los canales que escribe su orden y ninguno más; si no mezcla, por los de su color."""
+    if suceso["veredicto"] == "escrito" and "primitiva" in suceso and "color" not in suceso:
+        yield "está escrito sin que el shader dé ningún color"
+    if suceso["veredicto"] == "mascara" and canales or suceso["veredicto"] == "escrito" and not canales:
+        yield f"escribe «{canales}»"
+    mezcla = suceso.get("mezcla", {}).get("si", True)
+    for canal, antes, despues, color in zip("rgb", suceso["antes"], suceso["despues"], suceso.get("color", [])):
+        if canal not in canales and antes != despues:
+            yield f"escribe «{canales}» y cambia {canal}"
+        lejos = min(abs(255 * c - despues) for c in (color, min(max(color, 0), 1))) > 1
+        if suceso["veredicto"] == "escrito" and canal in canales and not mezcla and lejos:
+            yield f"deja {despues} en {canal} y su color es {color}"
 
 
 def quien_gana(historia, lienzo=0):
@@ -73,7 +115,7 @@ def quien_gana(historia, lienzo=0):
     return None, None
 
 
-def fallos_de_historia(historia):
+def fallos_de_historia(historia, canales):
     queda = {}
     for suceso in historia:
         antes, despues = suceso["antes"], suceso["despues"]
@@ -88,6 +130,9 @@ def fallos_de_historia(historia):
             [origen] = lienzos - {suceso["framebuffer"]}
             if despues != queda.get(origen, despues):
                 yield f"{quien}, copia {despues} y allí hay {queda[origen]}"
+        yield from (f"{quien}: {fallo}" for fallo in fallos_de_tests(suceso))
+        if "primitiva" in suceso:
+            yield from (f"{quien}: {fallo}" for fallo in fallos_de_mascara(suceso, canales[suceso["orden"]]))
         mezcla = suceso.get("mezcla", {})
         if not mezcla.get("cuadra", True):
             yield f"{quien}, deja {despues} y la mezcla es {mezcla}"
@@ -147,7 +192,13 @@ def distancia(a, b):
     return max(abs(x - y) for x, y in zip(a, b))
 
 
-def fallos_de_pixel(explicado, imagen):
+def canales_de(cuadro):
+    """Los que deja escribir glColorMask en cada orden."""
+    de_color = ((o["n"], e["valor"]) for o in cuadro["ordenes"] for e in o["estado"] if e["nombre"] == "glColorMask")
+    return {n: valor.strip("-") for n, valor in de_color}
+
+
+def fallos_de_pixel(explicado, imagen, canales):
     x, y = explicado["pixel"]
     suyo = list(imagen[3 * (y * ANCHO + x) :][:3])
     escritos = [s["despues"] for s in explicado["historia"] if s["framebuffer"] == 0 and s["veredicto"] == "escrito"]
@@ -155,7 +206,7 @@ def fallos_de_pixel(explicado, imagen):
         yield f"se dice {explicado['color']} y es {suyo}"
     if escritos and escritos[-1][:3] != suyo:
         yield f"lo último escrito es {escritos[-1]} y queda {suyo}"
-    yield from fallos_de_historia(explicado["historia"])
+    yield from fallos_de_historia(explicado["historia"], canales)
     yield from fallos_de_sombreado(explicado)
 
 
@@ -204,11 +255,12 @@ def fallos_de(build, orden, puntos, golden, sabido):
     if [tuple(e["pixel"]) for e in explicados] != puntos:
         fallos.append("no están los píxeles que se piden")
     fallos += [*fallos_de_lineas(cuadro, orden[0]), *preguntado.fallos(cuadro, suyas)]
+    canales = canales_de(cuadro)
     sucesos = [s for e in explicados for s in e["historia"] if s["dice"] == "borrado" and s["framebuffer"] == 0]
-    for n in {s["orden"] for s in sucesos}:
+    for n in {s["orden"] for s in sucesos if len(canales.get(s["orden"], "rgb")) > 2}:
         if len(colores := {repr(s["despues"]) for s in sucesos if s["orden"] == n}) > 1:
             fallos.append(f"la orden {n} borra de {' y de '.join(colores)}")
-    return fallos + [f"{e['pixel']}: {fallo}" for e in explicados for fallo in fallos_de_pixel(e, imagen)]
+    return fallos + [f"{e['pixel']}: {fallo}" for e in explicados for fallo in fallos_de_pixel(e, imagen, canales)]
 
 
 def fallos_de_caso(build, enlace, caso, cuantos):
