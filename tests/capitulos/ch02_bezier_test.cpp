@@ -1,4 +1,4 @@
-// Comprobaciones independientes de la tetera y de ch02_modelado/bezier.h: cada píxel, el error de cuerda y las grietas.
+// Comprobaciones independientes de la tetera y de ch02_modelado/bezier.h: cada píxel y las grietas.
 #include "ch02_modelado/bezier.h"
 #include "ch11_referencia.h"
 #include "colores.h"
@@ -30,31 +30,6 @@ glm::dvec3 exacta(const Parche &q, double u, double v, int du = 0, int dv = 0) {
     for (std::size_t k = 0; k < 16; ++k)
         G[k / 4][k % 4] = q.p[k / 4][k % 4];
     return superficieRef(Base::BEZIER, G, v, u, dv, du);
-}
-
-/// Lo más que se separan los triángulos de la tetera de la superficie.
-double errorDeCuerda(double tolerancia, int paso) {
-    const Malla malla = teselaParches(tetera(), tolerancia).malla;
-    std::vector<std::size_t> parche; // de cada vértice
-    for (const Division &d : divisionesPara(tetera(), tolerancia))
-        parche.insert(parche.end(), std::size_t((d.nu + 1) * (d.nv + 1)),
-                      parche.empty() ? 0 : parche.back() + 1);
-    EXPECT_EQ(parche.size(), malla.vertices.size());
-    return separacionMaxima(malla, paso, [&](unsigned v, const glm::dvec3 &p, const glm::dvec2 &uv) {
-        return glm::distance(p, exacta(tetera()[parche[v]], uv.x, uv.y));
-    });
-}
-
-// La distancia de cada punto de un triángulo al punto de la superficie con los mismos (u, v) no pasa de la tolerancia
-// (más el redondeo a float de posiciones y parámetros: 4·2⁻²⁴ y, con derivadas de hasta 12, 12·2⁻²⁴). Tampoco sobra
-// demasiado: el peor parche llega a más de un cuarto de la tolerancia.
-TEST(Bezier, ErrorDeCuerda) {
-    const double redondeo = 16 * std::ldexp(1.0, -24);
-    for (double tolerancia : {0.3, 0.12, 0.03, 0.0075}) {
-        const double peor = errorDeCuerda(tolerancia, tolerancia < 0.01 ? 4 : 6);
-        EXPECT_LE(peor, tolerancia + redondeo);
-        EXPECT_GT(peor, tolerancia / 4);
-    }
 }
 
 // Sin grietas: solo quedan sueltas las de los lados de parche que no comparte nadie: la boca y la tapa (4 cada una),
