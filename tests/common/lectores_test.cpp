@@ -177,7 +177,7 @@ TEST(LeeVf, CadaErrorDiceFicheroYLinea) {
     const std::string tres = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
     const char *const TRES_NUMEROS = "m.vf:1: un vértice son tres números";
     esperaQueTermine(leeVf, "m.vf",
-                     {{tres + "f 0 1 2", "m.vf:4: el vértice 0 no existe: hay 3, desde el 1"},
+                     {{"# 1\n\n" + tres + "f 0 1 2", "m.vf:6: el vértice 0 no existe: hay 3, desde el 1"},
                       {tres + "f 1 2 4", "m.vf:4: el vértice 4 no existe: hay 3"},
                       {tres + "f 1 2", "m.vf:4: una cara necesita al menos tres vértices y hay 2"},
                       {tres + "f 1 2 2", "m.vf:4: el vértice 2 está dos veces en la cara"},

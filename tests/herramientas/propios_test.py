@@ -201,6 +201,8 @@ def test_los_primeros_y_cuantos_mas():
 
 CON_SOBRA = CPP.replace("    esquinas[1] = polar", "    const float sobra = 3;\n    esquinas[1] = polar")
 CON_SOBRA = CON_SOBRA.replace("n la quita", "n la quita · z gira al revés")
+SIN_EFECTO = 'glutCreateMenu([](int) {}), glutAddMenuEntry("Nada", 1), glutAttachMenu(GLUT_RIGHT_BUTTON);\n'
+CON_SOBRA = CON_SOBRA.replace("    glutMainLoop", f"    {SIN_EFECTO}    glutMainLoop")
 CON_ERROR = CPP.replace("estado.giro += ", "glEnable(7), estado.giro += ")
 SIN_ASPAS = CPP.replace("i < estado.aspas; ++i", "i < estado.aspas - 20; ++i")
 REPETIDO = ERRORES.splitlines()[1].replace("gira hacia", "se tuerce hacia")
@@ -213,7 +215,7 @@ JUGADOS = (  # los ficheros que cambian, y de cada pregunta que lo nota, y solo 
             "errores_tsv": f"{ERRORES}{REPETIDO}\nmolinete.cpp\tsobra = «3»\t4\tnada\t\tno se ve\n",
         },
         {
-            "controles": ["«tecla z» no cambia la imagen en ningún guion"],
+            "controles": ["«tecla z» no cambia la imagen en ningún guion", "«menu Nada» no cambia la imagen"],
             "imágenes": ["se ve lo mismo en los casos Girado y Otra vez"],
             "errores conocidos": ["errores:6, nada: no quita puntos", "errores:2 y errores:5 no se distinguen: gira"],
             "líneas": [f"{linea('const float sobra', CON_SOBRA)}se cambie como se cambie, da lo mismo"],
