@@ -32,19 +32,6 @@ glm::dvec3 exacta(const Parche &q, double u, double v, int du = 0, int dv = 0) {
     return superficieRef(Base::BEZIER, G, v, u, dv, du);
 }
 
-// Sin grietas: solo quedan sueltas las de los lados de parche que no comparte nadie: la boca y la tapa (4 cada una),
-// los dos extremos del asa y los del pitorro (2 cada uno).
-TEST(Bezier, SinGrietas) {
-    for (double tolerancia : {1.0, 0.3, 0.1, 0.037, 0.0075}) {
-        const std::vector<Division> d = divisionesPara(tetera(), tolerancia);
-        int esperadas = 0;
-        for (std::size_t primero : {0u, 24u, 12u, 16u})
-            for (std::size_t k = primero; k < primero + 4; ++k)
-                esperadas += d[k].nu;
-        EXPECT_EQ(aristasSueltas(teselaParches(tetera(), tolerancia).malla), esperadas) << tolerancia;
-    }
-}
-
 // ---- El programa contra un oráculo que no comparte con él ni la evaluación ni la luz ----
 
 // Una rejilla densa de cada parche.

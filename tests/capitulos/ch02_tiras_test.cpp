@@ -103,28 +103,3 @@ TEST(Tiras, LaTeclaUEsSoloDeLaCaja) {
     const std::vector<Vista> v = vistasDe("tiras", {"", "tecla u"}, 120, 90, {otra.string()});
     EXPECT_EQ(v[0].escena.rgb, v[1].escena.rgb);
 }
-
-// Triángulos sin vecinos, repetidos o con una arista de tres caras, las mallas de common/ y una cuadrícula grande de
-// diagonales al azar, de muchas tiras cortas: cada triángulo, una vez.
-TEST(Tiras, MallasCualesquiera) {
-    std::vector<std::vector<T3>> mallas = {
-        {}, {{0, 1, 2}}, {{0, 1, 2}, {0, 1, 2}}, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}}, {{0, 1, 2}, {0, 1, 3}}};
-    for (const Malla &m :
-         {cubo(), esfera(3), esfera(17), cono(7), cilindro(12), toro(1, 0.3f, 9, 5), plano(4)}) {
-        mallas.emplace_back();
-        for (std::size_t i = 0; i < m.indices.size(); i += 3)
-            mallas.back().push_back({m.indices[i], m.indices[i + 1], m.indices[i + 2]});
-    }
-    const unsigned n = 300;
-    Azar azar(1);
-    mallas.emplace_back();
-    for (unsigned j = 0; j < n; ++j)
-        for (unsigned i = 0; i < n; ++i) {
-            const unsigned a = j * (n + 1) + i, b = a + 1, d = a + n + 1, c = d + 1, k = azar.entero(0, 1);
-            mallas.back().insert(mallas.back().end(), {{a, b, k ? c : d}, {k ? a : b, c, d}});
-        }
-    for (const std::vector<T3> &triangulos : mallas) {
-        const std::vector<Tira> tiras = hazTiras(triangulos);
-        EXPECT_EQ(canonicos(expande(tiras)), canonicos(triangulos));
-    }
-}

@@ -68,10 +68,8 @@ def test_lo_que_se_ve_distinto(tmp_path):
         assert estado == 1, (que, modo)
         assert f"máximo {max(distan)} " in dice
         assert f"media {media:.4f}, RMSE {rmse:.4f}, PSNR {20 * math.log10(255 / rmse):.1f} dB" in dice
-        for cual, debe in zip(
-            ("esperada", "obtenida", "diferencia"), (rgb, otra, bytes(min(8 * d, 255) for d in distan))
-        ):
-            assert (tmp_path / f"de-{cual}.ppm").read_bytes()[-len(rgb) :] == debe, cual
+        dejan = {"esperada": rgb, "obtenida": otra, "diferencia": bytes(min(8 * d, 255) for d in distan)}
+        assert all((tmp_path / f"de-{de}.ppm").read_bytes()[-len(rgb) :] == dejan[de] for de in dejan)
 
 
 def test_a_uno_y_otro_lado_de_cada_limite(tmp_path):
