@@ -134,8 +134,11 @@ const ejercicios = {
     await empieza(p, 'L5.1');
     await resuelve(p);
     assert.match((await parecido(p))[1], /^Resuelto/);
-    await p.pagina.reload();
-    await p.acaba('vuelve', () => sesion?.vivo);
+    const cerrada = p.pagina;
+    await p.estrena(await cerrada.browserContext().newPage());
+    await p.pagina.goto(cerrada.url());
+    await cerrada.close();
+    await p.acaba('vuelve otro día', () => sesion?.vivo);
     assert.equal((await parecido(p))[0], 100, 'lo escrito sigue');
     await p.escribe(2, '// otra cosa\n');
     await p.acaba('lo escrito después no se ha mirado', () => !una('[data-coincide]'));

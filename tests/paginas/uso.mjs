@@ -342,6 +342,8 @@ const pagina = {
         await p.va(enlace);
         await p.acaba(enlace, () => !visto.programa || cm && (sesion?.vivo || visto.programa.consola));
         await p.nadaSeSale(`«${enlace}» a ${ancho}`);
+        await p.exige(`«${enlace}» a ${ancho}, el fuente se puede leer`, () =>
+          !visto.programa || una('.CodeMirror').clientWidth > 0.75 * Math.min(innerWidth, 400));
         if (enlace !== '#ejercicio/L5.3') continue;
         await p.exige(`a ${ancho}×${alto} se ven las tres imágenes y cuánto coinciden`, () => scrollY === 0 &&
           todos('.lienzo, .cuadro, .parecido').every(e => e.getBoundingClientRect().bottom < innerHeight));
