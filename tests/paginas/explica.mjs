@@ -215,7 +215,6 @@ print(json.dumps([[p.enlace, p.mira] for p in libro.porques(Path(sys.argv[1]))])
       await p.carga('#espejo_plantilla/explica/260,330');
       await seVe(p);
       await p.nadaSeSale(`a ${ancho}`);
-      await p.exige(`a ${ancho} cabe una orden`, () => una('.una-orden').clientWidth > 300);
       for (const value of p.cual === 'chromium' ? ['light', 'dark'] : ['']) { // Firefox no deja pedirlo desde fuera
         if (value) await p.pagina.emulateMediaFeatures([{ name: 'prefers-color-scheme', value }]);
         await p.esParaTodos();
