@@ -752,13 +752,17 @@ inline void ordena() { std::sort(equis, equis + 9); }
 """
 
 
+def en_su_jaula(carpeta):
+    """El compilador de quien corrige, encerrado en esa carpeta."""
+    os.chmod(carpeta.parent, 0o755)
+    recinto = jaula.Recinto(carpeta, jaula.Jaula(RAIZ), {"PATH": "/usr/bin:/bin"})
+    return compilador.Compilador(RAIZ, BUILD, nuevo.ejercicios(RAIZ, catalogo.lee_programas(BUILD))[REF], REF, recinto)
+
+
 @con_jaula
 def test_de_que_avisa_el_compilador(tmp_path):
     """Lo que hace caer a una entrega, antes que lo que le sobra, y solo de lo suyo."""
-    os.chmod(tmp_path.parent, 0o755)
-    recinto = jaula.Recinto(tmp_path, jaula.Jaula(RAIZ), {"PATH": "/usr/bin:/bin"})
-    programa = nuevo.ejercicios(RAIZ, catalogo.lee_programas(BUILD))[REF]
-    suyo = compilador.Compilador(RAIZ, BUILD, programa, REF, recinto)
+    suyo = en_su_jaula(tmp_path)
     ficheros = {"p.cpp": '#include "p.h"\nint main() {\n  int sobra;\n  return f(1);\n}\n', "p.h": "int f(int) {\n}\n"}
     falta, sobra = suyo.avisos(ficheros, suyo.compila(ficheros, tmp_path / "aqui"))
     assert falta.startswith("p.h:2: no return statement") and sobra.startswith("p.cpp:3: unused variable")
@@ -792,10 +796,7 @@ CAEN = {  # lo que hace en su línea: lo que se le dice
 @con_jaula
 def test_de_lo_que_se_cae_se_dice_que_y_en_que_linea(tmp_path):
     """De cada manera de caerse que se nombra, en una función de su cabecera; la última, en otra que llama."""
-    os.chmod(tmp_path.parent, 0o755)
-    recinto = jaula.Recinto(tmp_path, jaula.Jaula(RAIZ), {"PATH": "/usr/bin:/bin"})
-    programa = nuevo.ejercicios(RAIZ, catalogo.lee_programas(BUILD))[REF]
-    suyo = compilador.Compilador(RAIZ, BUILD, programa, REF, recinto)
+    suyo = en_su_jaula(tmp_path)
     funciones = "".join(f"inline int f{i}(int c) {{ {hace} }}\n" for i, hace in enumerate(CAEN))
     elige = "".join(f"if (c == {i + 1}) return f{i}(c);\n" for i in range(len(CAEN)))
     incluye = "".join(f"#include <{f}>\n" for f in ("array", "memory", "vector"))
@@ -804,7 +805,7 @@ def test_de_lo_que_se_cae_se_dice_que_y_en_que_linea(tmp_path):
     dicha = veredicto.Correccion(SimpleNamespace(compilador=suyo, arbitro=None), entrega.Entrega(ficheros))
     dicha.jugador, limites = jugador, {"procesador": 9, "memoria": 1 << 30, "procesos": 8, "segundos": 60}
     for i, dice in enumerate(CAEN.values()):
-        datos = recinto.ajeno([jugador.programa, *"x" * i], limites, [jugador.programa.parent])
+        datos = suyo.recinto.ajeno([jugador.programa, *"x" * i], limites, [jugador.programa.parent])
         dicha.partidas = {guion: Partida.lee(datos, guion)}
         assert re.fullmatch(f"se cae sin dibujar nada: {dice}.*, en p.h:{4 + i % 7}", dicha.como_acaba(guion)), dice
 
@@ -834,8 +835,7 @@ def test_lo_encerrado_acaba_con_quien_lo_encierra():
 
 @con_jaula
 def test_los_limites_de_la_jaula(tmp_path):
-    os.chmod(tmp_path.parent, 0o755)
-    recinto = jaula.Recinto(tmp_path, jaula.Jaula(RAIZ), {"PATH": "/usr/bin:/bin"})
+    recinto = en_su_jaula(tmp_path).recinto
     limites = {"procesador": 1, "memoria": 200 << 20, "procesos": 20}
 
     def hace(orden, segundos=60):  # los que sobran, por si la máquina está ocupada
