@@ -3,12 +3,16 @@ de calificaciones; en qué se equivoca una clase; y quién se parece a quién. U
 import csv
 import gzip
 import io
+import itertools
 import os
 import random
 import re
 import unicodedata
 import zipfile
 from pathlib import Path
+from types import SimpleNamespace
+from urllib.parse import unquote
+from xml.etree import ElementTree
 
 import pytest
 
@@ -568,14 +572,61 @@ def test_en_que_se_equivoca_cada_uno():
     assert {dice: len(de) for dice, de in conjunto.por_causa([*hechas, otra]).items()} == debe
 
 
-def test_de_cada_uno_se_dice_todo_y_nada_dos_veces():
-    azar, donde = random.Random(1), {"pixel": [1, 2], "ventana": [9, 9]}
-    for _ in range(50):
-        dicen = [azar.choice(["", "u", "v"]) for _ in range(3)]
-        fallos = [{"que": f"falla {n}", "donde": d and {**donde, "dice": d}} for n, d in enumerate(dicen)]
-        dichas = informes.lineas({"dice": ["x"], "fallos": fallos})
-        son = [re.sub("lo primero que se aparta: (.);.*", r"\1", d) for d in dichas]
-        assert sorted(son) == sorted({"x", *(f["que"] for f in fallos), *dicen} - {""})
+def al_azar(azar, n, casos):
+    """Una corrección como cualquiera, con una palabra distinta en cada cosa que dice."""
+    cuenta = itertools.count()
+
+    def algunas(que, cuantas=(0, 1, 2, 3)):
+        return [f"{que}{n}x{next(cuenta)}z" for _ in range(azar.choice(cuantas))]
+
+    def un_fallo(que):
+        sitio = azar.choice([None, [azar.randrange(960), azar.randrange(720)]])
+        donde = {"que": "falta", "pixel": sitio, "ventana": [961, 721], "explica": que}
+        donde["dice"] = azar.choice([que.replace("falla", "donde"), f"donde{n}x99z"])
+        tras, imagenes = ["tecla d"] * azar.randrange(2), algunas("png", [0, 2, 3])
+        return {"que": que, "tras": tras, "imagenes": imagenes, "donde": azar.choice([donde, None])}
+
+    c = {"entrega": f"quien{n}", "ejercicio": REF, "semilla": "1", "reglas": "r", "bien": 3, "guiones": 5, "entero": ""}
+    c |= {"nota": azar.choice([0, 49.9, 50, 87.5, 99.9, 100]), "dice": algunas("dice", [1, 2])}
+    c |= {"avisos": algunas("aviso"), "casos": {caso.nombre: azar.random() < 0.5 for caso in casos}}
+    c |= {"fallos": [*map(un_fallo, algunas("falla"))]}
+    return c | {"piezas": [{"pide": p, "nota": azar.choice([0, 33.3, 100])} for p in algunas("pieza")]}
+
+
+def test_lo_que_se_sabe_de_cada_uno_esta_en_cada_sitio(tmp_path):
+    """De una clase cualquiera, todo lo de cada uno, en su orden y sin repetirlo, en su página, en la tabla, en JUnit, en VPL,
+    en la terminal y en lo que vuelve a Moodle; y en la página de todos, lo que lleva a la suya y lo que le pasa."""
+    azar, casos = random.Random(1), [SimpleNamespace(nombre=n, titulo=f"T{n}", mira="") for n in ("", "b", "c")]
+    banco = banco_falso(tmp_path, programa=SimpleNamespace(nombre="a", titulo="A", casos=casos, raices=[]))
+    todos = {Path(f"Ana {i}_{i}{MOODLE}"): al_azar(azar, i, casos) for i in range(40)}
+    conjunto.escribe(tmp_path, todos, banco, {})
+    pagina, de_moodle = (tmp_path / "index.html").read_text(), zipfile.ZipFile(tmp_path / "comentarios.zip")
+    junit, tabla = ElementTree.fromstring(informes.en_junit(todos.values())), informes.en_csv(todos.values()).encode()
+    fila = r'<tr><td><a href="(.*?)">(.*?)</a></td>\s*<td class="nota( mal)?">(.*?)</td><td>(.*?)</td>'
+    filas, (_, *celdas_) = re.findall(fila, pagina), celdas(tabla, "utf-8-sig", separador=";")
+    palabras = lambda texto: re.findall(r"\b(?!png)[a-z]+\d+x\d+z", re.sub("<[^>]*>|mios/.*", " ", texto).lower())
+    for (carpeta, c), caso, celda, fila in zip(todos.items(), junit, celdas_, filas, strict=True):
+        donde = [f["donde"] for f in c["fallos"] if f["donde"]]
+        fallos = [palabra for f in c["fallos"] for palabra in (f["que"], *([f["donde"]["dice"]] if f["donde"] else []))]
+        pide, dicho = [p["pide"] for p in c["piezas"]], informes.en_texto(c, "yo")
+        debe = [*dict.fromkeys([*c["dice"], *fallos, *pide, *c["avisos"]])]
+        assert [palabras(f.get("message")) for f in caso] == [debe] * (c["nota"] < 100)
+        assert palabras(celda[6]) == palabras(dicho) == palabras(informes.en_vpl(c)) == debe
+        assert [caso.get("name"), celda[1], *celda[3:6]] == [celda[0], REF, "3", "5", "1"] and celda[0] == c["entrega"]
+        assert re.findall(r"mios/yo (\w+)", dicho) == [d["explica"] for d in donde][:1]
+        suya = (tmp_path / unquote(fila[0])).read_text()
+        assert de_moodle.read(f"{carpeta}/correccion.html").decode() == suya
+        assert palabras(suya) == [*c["dice"], *pide, *fallos, *c["avisos"]]
+        son = [*c["casos"].values(), *(p["nota"] == 100 for p in c["piezas"])]
+        assert [m == "✓" for m in re.findall("[✓✗]", suya)] == son
+        assert re.findall('base64,(.*?)"', suya) == [imagen for f in c["fallos"] for imagen in f["imagenes"]]
+        assert suya.count("Para verlo: pulsa d.") == sum(len(f["tras"]) for f in c["fallos"])
+        sitios = [f"({d['pixel'][0]}, {d['pixel'][1]}) de la ventana de 961×721" for d in donde if d["pixel"]]
+        assert re.findall(r"\(\d+, \d+\) de la ventana de \d+×\d+", suya) == sitios
+        assert fila[1] == f"Ana {c['entrega'][5:]}" and palabras(fila[4]) == debe[:1]
+        assert fila[3] == f"{c['nota']:g}" and bool(fila[2]) == (c["nota"] < 50)
+    con_algo = [h for h in conjunto.quienes(todos).values() if h.c["nota"] < 100]
+    assert {h for e in conjunto.errores(con_algo) for h in e.de} == {*con_algo}
 
 
 @pytest.mark.parametrize("copian", range(6))
