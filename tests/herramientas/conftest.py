@@ -1,5 +1,7 @@
 """Dónde está lo que importan las pruebas de herramientas/, y lo que comparten las de ./lab corrige."""
+import html
 import re
+import shlex
 import sys
 from html.parser import HTMLParser
 from pathlib import Path
@@ -11,7 +13,9 @@ import pytest
 RAIZ = Path(__file__).parents[2]
 CARPETAS = "herramientas", "tests/ordenes", "tests/paginas"
 sys.path[:0] = [str(RAIZ / carpeta) for carpeta in CARPETAS]
+import lab
 from ejercicios.corrige import clase as de_clase
+from explica.orden import opciones
 
 
 @pytest.fixture
@@ -44,6 +48,14 @@ class Etiquetas(HTMLParser):
         assert etiqueta == self.abiertas.pop(), self.getpos()
 
 
+def se_entienden(pagina):
+    """Las órdenes que dice, tal como se copian."""
+    for dicha in re.findall(r"<code>([^<]*\./lab [^<]*)", pagina):
+        quien, orden, *palabras = shlex.split(html.unescape(dicha))
+        pide = palabras and lab.entiende(orden, palabras)  # sin programa, se lo pone la página
+        assert quien == "./lab" and (orden != "explica" or opciones(pide.resto)), dicha
+
+
 @pytest.fixture(autouse=True)
 def paginas_enteras(monkeypatch):
     """Las que escriba cualquier prueba."""
@@ -51,6 +63,8 @@ def paginas_enteras(monkeypatch):
 
     def comprueba(*p, **datos):
         hecha = hace(*p, **datos)
-        return Etiquetas(hecha) and hecha if hecha.startswith("<!DOCTYPE") else hecha
+        if hecha.startswith("<!DOCTYPE"):
+            Etiquetas(hecha), se_entienden(hecha)
+        return hecha
 
     monkeypatch.setattr(jinja2.Template, "render", comprueba)
