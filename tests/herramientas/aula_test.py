@@ -581,12 +581,20 @@ def al_azar(azar, n, casos):
 
     def un_fallo(que):
         sitio = azar.choice([None, [azar.randrange(960), azar.randrange(720)]])
-        donde = {"que": "falta", "pixel": sitio, "ventana": [961, 721], "explica": que}
+        donde = {"que": "falta", "pixel": sitio, "ventana": [961, 721], "explica": f"{n} {next(cuenta)}"}
         donde["dice"] = azar.choice([que.replace("falla", "donde"), f"donde{n}x99z"])
         tras, imagenes = ["tecla d"] * azar.randrange(2), algunas("png", [0, 2, 3])
         return {"que": que, "tras": tras, "imagenes": imagenes, "donde": azar.choice([donde, None])}
 
-    c = {"entrega": f"quien{n}", "ejercicio": REF, "semilla": "1", "reglas": "r", "bien": 3, "guiones": 5, "entero": ""}
+    c = {
+        "entrega": f"quien{n}",
+        "ejercicio": REF,
+        "semilla": "1",
+        "reglas": f"r{n}",
+        "bien": 3,
+        "guiones": 5,
+        "entero": "",
+    }
     c |= {"nota": azar.choice([0, 49.9, 50, 87.5, 99.9, 100]), "dice": algunas("dice", [1, 2])}
     c |= {"avisos": algunas("aviso"), "casos": {caso.nombre: azar.random() < 0.5 for caso in casos}}
     c |= {"fallos": [*map(un_fallo, algunas("falla"))]}
@@ -613,10 +621,11 @@ def test_lo_que_se_sabe_de_cada_uno_esta_en_cada_sitio(tmp_path):
         assert [palabras(f.get("message")) for f in caso] == [debe] * (c["nota"] < 100)
         assert palabras(celda[6]) == palabras(dicho) == palabras(informes.en_vpl(c)) == debe
         assert [caso.get("name"), celda[1], *celda[3:6]] == [celda[0], REF, "3", "5", "1"] and celda[0] == c["entrega"]
-        assert re.findall(r"mios/yo (\w+)", dicho) == [d["explica"] for d in donde][:1]
+        assert re.findall("mios/yo (.+)", dicho) == [d["explica"] for d in donde][:1]
         suya = (tmp_path / unquote(fila[0])).read_text()
         assert de_moodle.read(f"{carpeta}/correccion.html").decode() == suya
         assert palabras(suya) == [*c["dice"], *pide, *fallos, *c["avisos"]]
+        assert all(re.search(rf"\b{c['reglas']}\b", texto) for texto in (suya, dicho, celda[7], informes.en_vpl(c)))
         son = [*c["casos"].values(), *(p["nota"] == 100 for p in c["piezas"])]
         assert [m == "✓" for m in re.findall("[✓✗]", suya)] == son
         assert re.findall('base64,(.*?)"', suya) == [imagen for f in c["fallos"] for imagen in f["imagenes"]]
@@ -625,6 +634,9 @@ def test_lo_que_se_sabe_de_cada_uno_esta_en_cada_sitio(tmp_path):
         assert re.findall(r"\(\d+, \d+\) de la ventana de \d+×\d+", suya) == sitios
         assert fila[1] == f"Ana {c['entrega'][5:]}" and palabras(fila[4]) == debe[:1]
         assert fila[3] == f"{c['nota']:g}" and bool(fila[2]) == (c["nota"] < 50)
+    banco.programa.raices = ["suya"]  # de un ejercicio de quien enseña, la solución no la tiene
+    paginas = [informes.pagina(c, banco.programa, REF, "yo") for c in todos.values()]
+    assert "./lab ver mios/yo<" in "".join(paginas) and "./lab ver a<" not in "".join(paginas)
     con_algo = [h for h in conjunto.quienes(todos).values() if h.c["nota"] < 100]
     assert {h for e in conjunto.errores(con_algo) for h in e.de} == {*con_algo}
 

@@ -989,28 +989,21 @@ def comprueba_hoja(clase, notas):
 
 def comprueba_vuelta(destino, todas):
     """Con los nombres de carpeta que dio Moodle, y en cada página, nada de otro ni de fuera."""
-    with zipfile.ZipFile(destino / "comentarios.zip") as z:
-        paginas = {n: z.read(n).decode() for n in z.namelist()}
-    assert paginas.keys() == {f"{carpeta}/correccion.html" for carpeta in todas}
+    assert {*zipfile.ZipFile(destino / "comentarios.zip").namelist()} == {f"{c}/correccion.html" for c in todas}
     for carpeta in todas:
-        pagina = paginas[f"{carpeta}/correccion.html"]
-        assert f"<span>{quien(carpeta)}</span>" in pagina
-        assert (destino / f"comentarios/{carpeta}.html").read_text() == pagina
+        pagina = (destino / f"comentarios/{carpeta}.html").read_text()
         assert not [otra for otra in todas if otra != carpeta and f"{quien(otra)}<" in pagina]
         assert not re.search(r'(src|href)="(?!data:)', pagina)
         assert "url(" not in pagina
 
 
 def comprueba_pagina(pagina, todas):
-    """Dice de todas lo que han sacado, y lleva a la de cada uno; en qué se equivocan, y quiénes se parecen."""
+    """Dice cuánto han sacado entre todas, en qué se equivocan y quiénes se parecen."""
     notas = [c["nota"] for c in todas.values()]
     assert f"{len(notas)} entregas; de media, {sum(notas) / len(notas):.3g}." in pagina
     barras = re.findall(r"(\d+(?:–\d+)?), (\d+)", re.search('Cuántas hay de cada nota: ([^"]*)', pagina)[1])
     tramos = Counter(int(nota // 10) * 10 for nota in notas)
     assert {k: int(n) for k, n in barras} == {f"{k}–{k + 9}" if k < 100 else "100": n for k, n in tramos.items()}
-    filas = re.findall(r'<tr><td><a href="(.*)">([^<]+)</a></td>\s*<td class="nota(?: mal)?">([\d.]+)</td>', pagina)
-    debe = {(f"comentarios/{n}.html", quien(n), f"{c['nota']:.3g}") for n, c in todas.items()}
-    assert {(sitio, n, f"{float(nota):.3g}") for sitio, n, nota in filas} == debe
     no_compilan = sum(c["dice"][0].startswith("no compila") for c in todas.values() if c["dice"])
     assert f"<h3><b>{no_compilan}</b> No compila</h3>" in pagina
     juntos = {frozenset(p) for p in re.findall(r'parecidos.html#p\d+">([^<]+?) y ([^<]+?)</a>', pagina)}
