@@ -1,6 +1,6 @@
-// Se antepone (LD_PRELOAD) a un programa sin ventana. Acabado el guion lo dibuja otra vez y escribe en $PREGUNTA, de
-// cada glClear, glDrawArrays y glDrawElements, lo que OpenGL contesta a todo lo que de ella dice ./lab explica: en
-// números y sin decidir nada, para comparar lo uno con lo otro (propiedades/preguntado.py).
+// Se antepone (LD_PRELOAD) a un programa sin ventana. Acabado el guion lo dibuja otra vez o, si detrás va lo que lo
+// explica, deja que lo explique, y escribe en $PREGUNTA, de cada glClear, glDrawArrays y glDrawElements, lo que OpenGL
+// contesta a todo lo que de ella dice ./lab explica: en números y sin decidir nada (propiedades/preguntado.py).
 #define GL_GLEXT_PROTOTYPES
 #include <GL/gl.h>
 #include <cstdint>
@@ -92,10 +92,11 @@ void sigue(const char *nombre, P... p) {
 
 extern "C" {
 
-void explicaCuadro(void (*dibuja)(), int, int) {
+void explicaCuadro(void (*dibuja)(), int ancho, int alto) {
+    const auto explica = reinterpret_cast<decltype(&explicaCuadro)>(dlsym(RTLD_NEXT, "explicaCuadro"));
     salida.open(std::getenv("PREGUNTA"));
     salida.precision(9);
-    dibuja();
+    explica ? explica(dibuja, ancho, alto) : dibuja();
     salida.close();
 }
 void glClear(GLbitfield buferes) {

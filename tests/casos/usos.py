@@ -104,11 +104,15 @@ def fallos_de(build, base, uso, debe):
         programa = build / "osmesa/casos/usos"
         imagen = explica.dibuja([programa], carpeta, **entorno)
         suyas = preguntado.pregunta([programa, *explica.TALLA], build, carpeta, **entorno)
-        cuadro, dice = explicado(build, carpeta, cerca_del_centro(imagen), entorno)
+        preguntando = preguntado.preguntando(build, carpeta)
+        cuadro, dice = explicado(build, carpeta, cerca_del_centro(imagen), entorno | preguntando)
+        explicadas = preguntado.contestado(carpeta)
     if not cuadro:
         return [dice]
     canales = explica.canales_de(cuadro)
-    fallos = [f"se sospecha: {s['dice']}" for s in cuadro["sospechas"]] + [*preguntado.fallos(cuadro, suyas)]
+    fallos = [f"se sospecha: {s['dice']}" for s in cuadro["sospechas"]] + [
+        *preguntado.fallos(cuadro, suyas, explicadas)
+    ]
     fallos += [*explica.fallos_de_pixel(cuadro, imagen, canales), *fallos_de_texels(cuadro, canales)]
     fallos += ["nada cubre el píxel"] * (len(cuadro["historia"]) < 2)
     trazas = [t for t in [cuadro.get("sombreado", {}).get("fragmento")] if t]

@@ -123,10 +123,10 @@ def test_a_otro_paso_desde_la_mitad_el_cociente_es_el_mismo():
 def test_el_frente_de_pareto_y_la_elegida():
     """Los pares no están en el frente."""
     t = tecnica(variante("a", 1, 3), variante("b", 2, 1), variante("b, x", 3, 1), variante("bc", 2.1, 1))
-    t.variantes += [variante("par: d", 0.1, 0), variante("e", 9, 9, "otro")]
+    t.variantes += [variante("par: d", 0.1, 0), variante("e", 9, 9, "otro"), variante("f", 3.1, 1)]  # f, como «b, x»
     tecnicas.marca(t)
     optima = {x.nombre: x.optima for x in t.variantes if not x.par}
-    assert optima == {"a": True, "b": None, "b, x": False, "bc": None, "e": True}
+    assert optima == {"a": True, "b": None, "b, x": False, "bc": None, "e": True, "f": False}
     assert [x.nombre for x in t.variantes if x.elegida] == ["b", "b, x"]
     assert [x.nombre for x in t.elegida_fuera] == ["b, x"]
 

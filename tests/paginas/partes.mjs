@@ -147,17 +147,22 @@ test('lo que buscaría un estudiante', () => {
 });
 
 test('todo se encuentra: cada nombre, título, referencia, pie, tecla e identificador, y se dice dónde', () => {
+  const masLarga = titulo => palabras(titulo).sort((a, b) => b.length - a.length)[0];
   const CLASES = { L: 'listado', E: 'ejercicio', F: 'figura', T: 'tabla', Ec: 'ecuación', '§': 'apartado' };
   for (const { titulo, zonas, fuentes } of indice.entradas) {
     const lo = buscado => buscador.busca(buscado).find(h => h.titulo === titulo);
     assert.equal(buscador.busca(titulo)[0].titulo, titulo);
     const casi = buscador.busca(`${titulo} xyzzy${palabras(titulo).length > 4 ? ' plugh' : ''}`);
     assert.ok(casi.length && casi.every(h => h.leFalta), `${titulo}, con otras palabras que no están`);
-    const larga = palabras(titulo).sort((a, b) => b.length - a.length)[0], i = 1 + azar(3);
+    const larga = masLarga(titulo), i = 1 + azar(3);
     const [antes, letra, otra, resto] = [larga.slice(0, i), larga[i], larga[i + 1] ?? '', larga.slice(i + 2)];
     for (const mal of [antes + otra + resto, antes + letra + letra + otra + resto, `${antes}x${otra}${resto}`,
       antes + otra + letra + resto]) // una letra de menos, de más o cambiada, o dos vecinas al revés
       assert.ok(larga.length < 6 || lo(mal), `«${mal}», de ${titulo}`);
+    const dos = [larga, masLarga(indice.entradas[azar(indice.entradas.length)].titulo)];
+    const [unos, otros] = dos.map(palabra => buscador.busca(palabra).map(h => h.titulo)), los = buscador.busca(dos.join(' '));
+    const deLosDos = los.map(h => unos.includes(h.titulo) && otros.includes(h.titulo));
+    assert.ok(new Set([...deLosDos, ...los.map(h => !h.leFalta)]).size === 1, `${dos}: lo que tiene las dos, si lo hay`);
     for (const [clase, enlace, texto] of zonas) {
       assert.doesNotMatch(texto, /&#?\w+;|<\/?\w+[^<]*>/, `${titulo}: el texto, sin HTML`);
       const hallado = lo(clase === 'imagen' ? texto : palabras(texto).slice(0, 3).join(' '));

@@ -239,7 +239,9 @@ def fallos_de(build, orden, puntos, golden, sabido):
         delante = build / "herramientas/explica/libexplica.so"
         pide = " ".join(f"{x},{y}" for x, y in puntos)
         try:
-            imagen = dibuja(orden, carpeta, LD_PRELOAD=str(delante), LAB_EXPLICA="e.json", LAB_EXPLICA_PIXELES=pide)
+            pide = {"LAB_EXPLICA": "e.json", "LAB_EXPLICA_PIXELES": pide}
+            imagen = dibuja(orden, carpeta, **preguntado.preguntando(build, carpeta, delante), **pide)
+            explicadas = preguntado.contestado(carpeta)
             # sin explicar es la del golden, salvo lo que redondee otro OpenGL
             igual = golden and imagen == pixeles(golden) or imagen == dibuja(orden, carpeta)
         except AssertionError as fallo:
@@ -254,7 +256,7 @@ def fallos_de(build, orden, puntos, golden, sabido):
     fallos += [f"se sospecha: {dice}" for dice in dichas]
     if [tuple(e["pixel"]) for e in explicados] != puntos:
         fallos.append("no están los píxeles que se piden")
-    fallos += [*fallos_de_lineas(cuadro, orden[0]), *preguntado.fallos(cuadro, suyas)]
+    fallos += [*fallos_de_lineas(cuadro, orden[0]), *preguntado.fallos(cuadro, suyas, explicadas)]
     canales = canales_de(cuadro)
     sucesos = [s for e in explicados for s in e["historia"] if s["dice"] == "borrado" and s["framebuffer"] == 0]
     for n in {s["orden"] for s in sucesos if len(canales.get(s["orden"], "rgb")) > 2}:
@@ -299,6 +301,11 @@ def fallos_de_imagenes(build, programa, talla):
             hay = [len(cambian), *desde, *(b - a + 1 for a, b in zip(desde, hasta))]
             if [orden["cambian"], *orden["donde"]] != hay:
                 fallos.append(f"la orden {orden['n']} cambia {hay} y se dice {orden['donde']}")
+        elif que == "profundidad" and dada["ancho"] == orden["talla"][0] and len(tonos := {*imagen} - {255}) > 1:
+            if not min(tonos) == 0 < 200 < max(tonos):
+                fallos.append(
+                    f"la orden {orden['n']} no va de negro a casi blanco, y va de {min(tonos)} a {max(tonos)}"
+                )
     grises = quedan.get(("la ventana", "profundidad"))
     for (x, y), explicado in zip(puntos, cuadro["pixeles"] if grises and ancho <= ANCHO else ()):  # si no, va menor
         hondos = [s["profundidadDespues"] for s in explicado["historia"] if s["framebuffer"] == 0][-1:]

@@ -1,6 +1,6 @@
 """Lo que ./lab explica dice de cada orden, contra lo que OpenGL contesta a quien le pregunta por todo, en números
 (casos/pregunta.cpp): cada constante vale lo que en las cabeceras de OpenGL, cada tipo es el que está en el shader y no
-falta ninguna orden."""
+falta ninguna orden. Y explicarlas no cambia nada de lo que OpenGL contesta, las veces que el cuadro se dibuje."""
 import os
 import re
 import subprocess
@@ -21,7 +21,13 @@ ESTADO = {  # lo que se pregunta para cada cosa, y cuántos números es
     "GL_POLYGON_OFFSET_FILL": "POLYGON_OFFSET_FACTOR×1 POLYGON_OFFSET_UNITS×1",
 }
 SUELTAS = "PRIMITIVE_RESTART COLOR_WRITEMASK DEPTH_WRITEMASK VERTEX_ARRAY_BINDING DRAW_FRAMEBUFFER_BINDING"
-SE_PREGUNTAN = re.findall(r"\b[A-Z_]{4,}", " ".join([*ESTADO, *ESTADO.values(), SUELTAS]).replace("GL_", ""))
+SIN_DECIR = (  # que ha de quedar como estaba
+    "STENCIL_WRITEMASK STENCIL_BACK_WRITEMASK STENCIL_BACK_FUNC STENCIL_BACK_REF STENCIL_BACK_FAIL DEPTH_CLEAR_VALUE"
+    " STENCIL_CLEAR_VALUE COLOR_CLEAR_VALUE BLEND_COLOR BLEND_EQUATION_ALPHA ACTIVE_TEXTURE"
+    " READ_FRAMEBUFFER_BINDING PIXEL_PACK_BUFFER_BINDING PIXEL_UNPACK_BUFFER_BINDING PACK_ALIGNMENT PACK_ROW_LENGTH"
+    " UNPACK_ALIGNMENT RENDERBUFFER_BINDING RASTERIZER_DISCARD MULTISAMPLE DITHER READ_BUFFER DRAW_BUFFER"
+)
+SE_PREGUNTAN = re.findall(r"\b[A-Z_]{4,}", " ".join([*ESTADO, *ESTADO.values(), SUELTAS, SIN_DECIR]).replace("GL_", ""))
 PRUEBAS = {"recorte": "SCISSOR_TEST", "plantilla": "STENCIL_TEST", "quita": "CULL_FACE", "mezcla": "BLEND"}
 BORRA = {"color": 0x4000, "profundidad": 0x100, "plantilla": 0x400}
 CUANTAS = "n", "n // 2", "n * (n > 1)", "n - 1", "n // 3", "n - 2", "n - 2"  # primitivas, de cada modo
@@ -43,11 +49,15 @@ def iguales(dichos, hay):
     return len(dichos) == len(hay) and all(bien)
 
 
-def pregunta(orden, build, carpeta, **entorno):
-    """De cada orden, su nombre y sus números y, de cada clase de cosa, {nombre: números}."""
-    entorno |= {"LD_PRELOAD": str(build / "tests/libpregunta.so"), "PREGUNTA": "pregunta.txt"}
+def preguntando(build, carpeta, *detras):
+    """Con qué se ejecuta, y lo que va DETRÁS, para que lo() dé lo que contesta OpenGL."""
+    entorno = {"LD_PRELOAD": " ".join(map(str, [build / "tests/libpregunta.so", *detras]))}
     entorno["PREGUNTA_ESTADO"] = " ".join(str(GL[f"GL_{nombre}"]) for nombre in SE_PREGUNTAN)
-    subprocess.run(orden, env={**os.environ, **entorno}, cwd=carpeta, check=True, capture_output=True)
+    return entorno | {"PREGUNTA": str(carpeta / "pregunta.txt")}
+
+
+def contestado(carpeta):
+    """De cada orden, su nombre y sus números y, de cada clase de cosa, {nombre: números}."""
     ordenes = []
     for que, nombre, *resto in map(str.split, (carpeta / "pregunta.txt").read_text().splitlines()):
         if que == "orden":
@@ -56,6 +66,12 @@ def pregunta(orden, build, carpeta, **entorno):
     for orden in ordenes:
         orden["estado"] = dict(zip(SE_PREGUNTAN, orden["estado"].values()))
     return ordenes
+
+
+def pregunta(orden, build, carpeta, **entorno):
+    entorno |= preguntando(build, carpeta)
+    subprocess.run(orden, env={**os.environ, **entorno}, cwd=carpeta, check=True, capture_output=True)
+    return contestado(carpeta)
 
 
 def fallos_de_estado(orden, hay):
@@ -112,8 +128,13 @@ def fallos_de_cableado(cableado, suya, textos):
             yield f"{nombre} no es un {cosa['tipo']}"
 
 
-def fallos(cuadro, suyas):
-    """`suyas`: las que da pregunta, del mismo cuadro."""
+def fallos(cuadro, suyas, explicadas):
+    """`suyas`: las que da pregunta, del mismo cuadro; y las mismas, al explicarlo."""
+    for i, explicada in enumerate(explicadas):
+        if explicada != (suya := suyas[i % len(suyas)]):
+            cambia = [(que, *c) for que in suya for c in suya[que].items() if c not in explicada[que].items()]
+            yield f"al explicarlo, en la orden {i + 1}, no son los mismos: {cambia}"
+            break
     dichas = [o for o in cuadro["ordenes"] if re.match(r"(glClear|glDrawArrays|glDrawElements)\(", o["llamada"])]
     if len(suyas) != len(dichas):
         yield f"se dicen {len(dichas)} órdenes de {len(suyas)}"
