@@ -99,11 +99,11 @@ static void lleva(std::size_t bytesVertices, std::size_t bytesIndices) {
     glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(bytesVertices), malla.vertices.data(), GL_STATIC_DRAW);
     glBufferData(GL_ELEMENT_ARRAY_BUFFER, GLsizeiptr(bytesIndices), malla.indices.data(), GL_STATIC_DRAW);
 }
-// Otra textura, de 4×4, en la unidad y el objetivo que se diga.
+// Otra textura, de 8×4×2, en la unidad y el objetivo que se diga: ningún lado como otro, ni una cara de un cubo.
 static void imagen(GLenum unidad, GLenum objetivo, GLint formato = GL_RGB8, GLenum datos = GL_RGB,
                    GLenum tipo = GL_UNSIGNED_BYTE) {
     GLuint otra;
-    std::vector<float> ruido(4 * 4 * 4 * 4);
+    std::vector<float> ruido(8 * 4 * 4 * 4);
     for (std::size_t i = 0; i < ruido.size(); ++i)
         if (tipo == GL_FLOAT)
             ruido[i] = float(i % 7) / 7;
@@ -113,15 +113,15 @@ static void imagen(GLenum unidad, GLenum objetivo, GLint formato = GL_RGB8, GLen
     glActiveTexture(GL_TEXTURE0 + unidad);
     glBindTexture(objetivo, otra);
     if (objetivo == GL_TEXTURE_1D)
-        glTexImage1D(objetivo, 0, formato, 4, 0, datos, tipo, ruido.data());
+        glTexImage1D(objetivo, 0, formato, 8, 0, datos, tipo, ruido.data());
     else if (objetivo == GL_TEXTURE_3D || objetivo == GL_TEXTURE_2D_ARRAY)
-        glTexImage3D(objetivo, 0, formato, 4, 4, 4, 0, datos, tipo, ruido.data());
+        glTexImage3D(objetivo, 0, formato, 8, 4, 2, 0, datos, tipo, ruido.data());
     else if (objetivo == GL_TEXTURE_CUBE_MAP)
         for (GLenum cara = 0; cara < 6; ++cara)
             glTexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + cara, 0, formato, 4, 4, 0, datos, tipo,
-                         ruido.data());
+                         &ruido[5 * cara]);
     else
-        glTexImage2D(objetivo, 0, formato, 4, 4, 0, datos, tipo, ruido.data());
+        glTexImage2D(objetivo, 0, formato, 8, 4, 0, datos, tipo, ruido.data());
     glTexParameteri(objetivo, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glTexParameteri(objetivo, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     glActiveTexture(GL_TEXTURE0);
@@ -179,12 +179,12 @@ static void inicia() {
     atributo(1, 3, offsetof(Vertice, normal));
     atributo(2, 2, offsetof(Vertice, coordTextura));
     std::vector<unsigned char> damas;
-    for (int i = 0; i < 16 * 16; ++i)
-        damas.insert(damas.end(), 3, (i / 4 + i / 64) % 2 ? 255 : 160);
+    for (int i = 0; i < 32 * 8; ++i)
+        damas.insert(damas.end(), 3, (i / 8 + i / 64) % 2 ? 255 : 160);
     glGenTextures(1, &textura);
     glBindTexture(GL_TEXTURE_2D, textura);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB8, 16, 16, 0, GL_RGB, GL_UNSIGNED_BYTE, damas.data());
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB8, 32, 8, 0, GL_RGB, GL_UNSIGNED_BYTE, damas.data());
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glEnable(GL_DEPTH_TEST);
     if (enGrua)
