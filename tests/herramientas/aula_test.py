@@ -24,7 +24,7 @@ from ejercicios.corrige import aula
 from ejercicios.corrige import clase as de_clase
 from ejercicios.corrige import conjunto, entrega, hoja, informes, parecidos
 from ejercicios.reglas import Reglas
-from copias import como_variables, copia, tras_un_tipo
+from copias import copia
 from mentira import faltan, siembra
 
 P = b"int main() {}"
@@ -677,23 +677,22 @@ def variantes(ref, programa, *listas):
                 yield m.nombre, nuevo.aqui({Path(f).name: nuevo.deja(t) for f, t in otros.items()}, programa)
 
 
-def parecidas(ref, programa, suyos):
+def parecidas(ref, programa):
     """Las parejas de una clase en que cada uno hace la suya y otro se la copia, y cuántas copias hay."""
     clase, dados = {}, (nuevo.esqueleto(RAIZ, programa, ref), nuevo.solucion(RAIZ, programa, ref))
     for nombre, ficheros in variantes(ref, programa, "bien", "errores"):
         clase[nombre] = parecidos.codigo(ficheros)
-        clase[nombre, "copia"] = parecidos.codigo(copia(ficheros, random.Random(nombre), suyos=suyos))
+        clase[nombre, "copia"] = parecidos.codigo(copia(ficheros, random.Random(nombre)))
     return parecidos.parejas(clase, dados), len(clase) // 2
 
 
 @con_catalogo
-@pytest.mark.parametrize("suyos", [tras_un_tipo, como_variables])
-def test_las_copias_se_ven_y_las_independientes_no(suyos):
+def test_las_copias_se_ven_y_las_independientes_no():
     """Independientes: las que no son la misma línea de bien/ o de errores/, cada una con una solución de otro estilo o
     con otro error."""
     vistas = hay = 0
     for ref, programa in list(nuevo.ejercicios(RAIZ, catalogo.lee_programas(BUILD)).items())[::2]:
-        parejas, cuantas = parecidas(ref, programa, suyos)
+        parejas, cuantas = parecidas(ref, programa)
         son = [{p.una, p.otra} for p in parejas]
         ajenas = [s for s in son if len({q if isinstance(q, str) else q[0] for q in s}) > 1]
         assert not ajenas, f"{ref}: {ajenas}"

@@ -1,19 +1,11 @@
 """Lo que hace quien copia: otros nombres, otro orden, otros comentarios y otros renglones. Cuáles son sus nombres no se
-lo pregunta a quien busca parecidos (parecidos.py): los que van tras un tipo, o los que se usan como variables."""
+lo pregunta a quien busca parecidos (parecidos.py): los que van tras un tipo."""
 import re
 
 from base.fuentes import COMENTARIO
 
 TIPOS = "float|int|auto|double|bool|unsigned|mat[234]|d?vec[234]|ivec[234]|size_t|string"
 DECLARA = re.compile(rf"\b(?:{TIPOS})\b\s*&?\s+(\w+)\s*(?=[=;,)(:])")
-# Ni campo, ni de un espacio de nombres, ni lo que se llama, ni un tipo, que lleva otro nombre detrás.
-USADA = re.compile(r"(?<![\w.#])(?<!->)(?<!::)([^\W\d]\w*)\b(?!\s*(?:\(|::|<|\s[A-Za-z_*&]))")
-PALABRAS = set(
-    "return const static constexpr auto else case default break continue struct enum union true false this if for while"
-    " do switch sizeof new in out inout uniform discard inline using namespace template typename class void main std"
-    f" glm {TIPOS} sampler2D".replace("|", " ").split()
-) | {f"{tipo}{n}" for tipo in ("vec", "mat", "ivec") for n in (2, 3, 4)}
-DE_GL = re.compile(r"GL|gl[A-Z_]|glut|[A-Z0-9]+_")
 TEXTO = re.compile(r"""("(?:\\.|[^"\\\n])*"|'(?:\\.|[^'\\\n])*')""")
 NOMBRES = "mi", "valor", "aux", "tmp", "el"
 DICHOS = "ahora", "esto hace lo suyo", "no tocar"
@@ -24,14 +16,9 @@ def tras_un_tipo(todo):
     return {n for n in DECLARA.findall(todo) if n != "main" and not re.search(rf"(?:\.|->)\s*{n}\b", todo)}
 
 
-def como_variables(todo):
-    todo = re.sub(r"^#.*", "", TEXTO.sub("", todo), flags=re.M)
-    return {n for n in USADA.findall(todo) if n not in PALABRAS and not DE_GL.match(n)}
-
-
-def otros_nombres(ficheros, azar, suyos):
+def otros_nombres(ficheros, azar):
     todo = COMENTARIO.sub("", "\n".join(ficheros.values()))
-    return {n: f"{azar.choice(NOMBRES)}{azar.choice('ABCDEFG')}{i}" for i, n in enumerate(sorted(suyos(todo)))}
+    return {n: f"{azar.choice(NOMBRES)}{azar.choice('ABCDEFG')}{i}" for i, n in enumerate(sorted(tras_un_tipo(todo)))}
 
 
 def renombra(texto, otro):
@@ -71,9 +58,9 @@ def con_otros_comentarios(texto, azar):
     return "\n".join(lineas) + "\n"
 
 
-def copia(ficheros, azar, baraja=True, suyos=tras_un_tipo):
-    """BARAJA: también el orden, que puede no compilar. SUYOS: a qué se cambia el nombre, que también."""
-    otro, copiados = otros_nombres(ficheros, azar, suyos), {}
+def copia(ficheros, azar, baraja=True):
+    """BARAJA: también el orden, que puede no compilar."""
+    otro, copiados = otros_nombres(ficheros, azar), {}
     for fichero, texto in ficheros.items():
         texto = renombra(COMENTARIO.sub("", texto), otro)
         if baraja and fichero.endswith((".h", ".cpp")):

@@ -272,8 +272,7 @@ def test_cada_enlace_de_la_galeria_lleva_a_algo(tmp_path, en_marcha):
     assert re.findall("No se ha podido dibujar: (mal .*)<", escrita) == [c.fallo for c in casos[2::4]]
     assert escrita.count("Aún no está dibujada") == len(casos[1::2])
     assert ("faltan 3 programas" in escrita, "http-equiv" in escrita) == (True, en_marcha)
-    dichas = [*map(html.unescape, re.findall(r"<code>\./lab (explica \w+ \d[^<]*)<", escrita))]
-    assert all(re.fullmatch(r'explica \w+ \d+ \d+( -guion "[^"]+")?', o) for o in dichas) and bool(dichas) != en_marcha
+    assert ("<code>./lab explica" in escrita) != en_marcha
     lleva = {f"#{p.nombre}" for p in programas} | {f"#ejercicio/{r}" for r in shaders.ejercicios(RAIZ, programas)}
     enlaces = {re.sub("/explica/.*", "", e) for e in re.findall(r'\bhref="../web/index.html([^"]*)"', escrita)}
     assert enlaces <= lleva | {""} and bool(enlaces) == en_marcha

@@ -303,9 +303,7 @@ def fallos_de_imagenes(build, programa, talla):
                 fallos.append(f"la orden {orden['n']} cambia {hay} y se dice {orden['donde']}")
         elif que == "profundidad" and dada["ancho"] == orden["talla"][0] and len(tonos := {*imagen} - {255}) > 1:
             if not min(tonos) == 0 < 200 < max(tonos):
-                fallos.append(
-                    f"la orden {orden['n']} no va de negro a casi blanco, y va de {min(tonos)} a {max(tonos)}"
-                )
+                fallos.append(f"la orden {orden['n']} no va de negro a casi blanco: de {min(tonos)} a {max(tonos)}")
     grises = quedan.get(("la ventana", "profundidad"))
     for (x, y), explicado in zip(puntos, cuadro["pixeles"] if grises and ancho <= ANCHO else ()):  # si no, va menor
         hondos = [s["profundidadDespues"] for s in explicado["historia"] if s["framebuffer"] == 0][-1:]
