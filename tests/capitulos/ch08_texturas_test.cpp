@@ -132,29 +132,6 @@ TEST(Cubemap, Desplegado) {
     }
 }
 
-// Y la cuenta que se escribe da lo que dice, toque la cara que toque.
-TEST(Cubemap, Cuenta) {
-    const std::regex cuenta("R = .(.*), (.*), (.*)\\)\n.(.).* cara (.*)\n"
-                            "u = .1 (−|\\+) (.)/.*2 = (.*)\nv = .1 (−|\\+) (.)/.*2 = (.*)");
-    std::vector<std::string> guiones{"tecla c"};
-    for (int k = 0; k < 40; ++k)
-        guiones.push_back(arrastra({480, 360}, {97 * k % 960, 61 * k % 720}));
-    std::set<std::string> caras;
-    std::smatch m;
-    for (const Vista &v : vistasDe("cubemap", guiones, 960, 720))
-        for (const std::string &dice : v.encima.textos(BLANCO))
-            if (std::regex_search(dice, m, cuenta)) {
-                const auto coordenada = [&](int i) { return std::stod(m[1 + m.str(i)[0] - 'x']); };
-                for (const int i : {6, 9})
-                    EXPECT_NEAR((1 + (m[i] == "+" ? 1 : -1) * coordenada(i + 1) / std::fabs(coordenada(4))) /
-                                    2,
-                                std::stod(m[i + 2]), 0.02)
-                        << dice;
-                caras.insert(m[5]);
-            }
-    EXPECT_EQ(caras.size(), 6);
-}
-
 // La ecuación 8.1 no es la tabla de OpenGL: con x positiva intercambia las dos coordenadas y les da la vuelta, un
 // espejo; con x negativa, gira la cara un cuarto de vuelta.
 TEST(Erratas, Ecuacion81) {

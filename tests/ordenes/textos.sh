@@ -1,8 +1,7 @@
 #!/usr/bin/env bash
-# textos.sh RAIZ BUILD BIBLIOTECA: lo que se puede comprobar sin ejecutar nada: todo lo del libro está en
+# textos.sh RAIZ BIBLIOTECA: lo que se puede comprobar sin ejecutar nada: todo lo del libro está en
 # docs/programas.md, cada shader empieza por #version 140 y pasa glslangValidator, también como GLSL ES 3.00 (el de
-# ./lab web), glut_sin_ventana.h enumera lo que hay, que no choca con lo que defina un programa, que los de osmesa no
-# cargan libGL, y las cabeceras que dicen que son sin OpenGL no lo incluyen.
+# ./lab web), y glut_sin_ventana.h enumera lo que hay, que no choca con lo que defina un programa.
 set -euo pipefail
 cd "$1"
 fallos=0
@@ -32,22 +31,12 @@ for arbol in . "$carpeta/por hacer"; do # también con los ejercicios por hacer
 done
 
 diff <(grep -oE '\bglut[A-Z][A-Za-z]+' <(sed '/Cualquier otra/,$d' glut/sin_ventana/glut_sin_ventana.h) | sort) \
-  <(nm -C --defined-only "$3" | awk '$2 == "T" && $3 ~ /^glut[A-Z]/ { print $3 }' | sort) ||
+  <(nm -C --defined-only "$2" | awk '$2 == "T" && $3 ~ /^glut[A-Z]/ { print $3 }' | sort) ||
   mal 'glut_sin_ventana.h no enumera justo las funciones que hay'
 # sus demás nombres van en su espacio: los que defina un programa no chocan con ellos
 suyos='^(glut[A-Z]|glX[A-Z]|__wrap_glewInit$|sin_ventana::)'
 awk -v suyos="$suyos" '$2 ~ /^[TDBRC]$/ && $3 !~ suyos { print $3; mal = 1 } END { exit mal }' \
-  <(nm -C --defined-only "$3") ||
+  <(nm -C --defined-only "$2") ||
   mal 'glut_sin_ventana tiene nombres fuera de sin_ventana'
 
-# con el GLEW estático, arrancar no carga libGL ni X11 (con OSMesa viene lo que Mesa quiera)
-if grep -q '^GLEW_ESTATICO:FILEPATH=.*libGLEW\.a$' "$2/CMakeCache.txt"; then
-  readelf -d "$2"/osmesa/ch*/* | grep -oE 'NEEDED.*\[lib(GL|OpenGL|EGL|X|xcb).*' | sort -u | grep . &&
-    mal 'los programas de osmesa las cargan'
-fi
-
-while read -r cabecera; do
-  incluidas=$(g++ -std=c++17 -Icommon -Icommon/encima -I. -M -x c++ "$cabecera") && [[ $incluidas != */GL/* ]] ||
-    mal "$cabecera dice que es sin OpenGL, y lo incluye"
-done < <(grep -lE '^//.*\b[Ss]in OpenGL' common/*.h common/encima/*.h ch*/*.h)
 exit $fallos
