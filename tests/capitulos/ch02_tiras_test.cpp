@@ -96,10 +96,3 @@ TEST(Tiras, ColoresDeClaroAOscuroYResaltado) {
                       [&](const oraculo::Impacto &i) { return colores[std::size_t(i.corte.triangulo)]; });
     });
 }
-
-TEST(Tiras, LaTeclaUEsSoloDeLaCaja) {
-    const std::filesystem::path otra = carpetaTemporal() / "otra.vf";
-    std::ofstream(otra) << "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 1\nf 1 2 3\nf 2 4 3\n";
-    const std::vector<Vista> v = vistasDe("tiras", {"", "tecla u"}, 120, 90, {otra.string()});
-    EXPECT_EQ(v[0].escena.rgb, v[1].escena.rgb);
-}

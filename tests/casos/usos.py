@@ -104,8 +104,8 @@ def fallos_de(build, base, uso, debe):
         programa = build / "osmesa/casos/usos"
         imagen = explica.dibuja([programa], carpeta, **entorno)
         suyas = preguntado.pregunta([programa, *explica.TALLA], build, carpeta, **entorno)
-        preguntando = preguntado.preguntando(build, carpeta)
-        cuadro, dice = explicado(build, carpeta, cerca_del_centro(imagen), entorno | preguntando)
+        entorno |= preguntado.preguntando(build, carpeta)
+        cuadro, dice = explicado(build, carpeta, cerca_del_centro(imagen), entorno)
         explicadas = preguntado.contestado(carpeta)
     if not cuadro:
         return [dice]

@@ -1,4 +1,5 @@
 """Dónde está lo que importan las pruebas de herramientas/, y lo que comparten las de ./lab corrige."""
+import argparse
 import html
 import re
 import shlex
@@ -16,6 +17,8 @@ sys.path[:0] = [str(RAIZ / carpeta) for carpeta in CARPETAS]
 import lab
 from ejercicios.corrige import clase as de_clase
 from explica.orden import opciones
+
+argparse._ = str  # lo que dice en español lo cambia lab, y las demás órdenes van en otro proceso
 
 
 @pytest.fixture

@@ -188,8 +188,7 @@ def test_lo_que_esta_mal_sin_ejecutar_nada(tmp_path, pregunta, fichero, texto, o
     programa = propios.propio(escribe(tmp_path / "molinete", **{fichero: texto and entero.replace(texto, otro)}))
     hechas = [comprueba.marcas(RAIZ, programa, "molinete"), comprueba.enunciado(programa)]
     mal = {que: "; ".join(fallos) for que, _, fallos in hechas if fallos}
-    assert mal.keys() == {pregunta}
-    assert dice in mal[pregunta]
+    assert mal.keys() == {pregunta} and dice in mal[pregunta]
 
 
 def test_los_primeros_y_cuantos_mas():
@@ -264,8 +263,7 @@ def test_lo_que_esta_mal_al_jugar(lab, cambios, debe):
 def test_lo_que_no_deja_ni_empezar(lab, cambios, debe):
     escribe(lab.sitio / "ejercicios/molinete", **cambios)
     *_, ultima = lab("ejercicio comprueba ejercicios/molinete", 1).splitlines()
-    assert ultima.startswith("lab: ")
-    assert debe in ultima
+    assert ultima.startswith("lab: ") and debe in ultima
 
 
 # --- lo que se perturba ----------------------------------------------------------------------------------------------
@@ -315,8 +313,7 @@ def test_lo_perturbado_casi_siempre_compila(tmp_path):
         vivas = [m for m in vivas if m.numero not in malas]
         if not dice:
             break
-    assert not dice
-    assert len(vivas) >= 0.9 * len(todas) > 63
+    assert not dice and len(vivas) >= 0.9 * len(todas) > 63
     assert {m.perturbacion.linea for m in todas} == {m.perturbacion.linea for m in vivas}
 
 

@@ -236,11 +236,10 @@ def fallos_de(build, orden, puntos, golden, sabido):
     """Los de lo que dibuja esa orden, en esos píxeles. `sabido`: lo que se puede sospechar."""
     with tempfile.TemporaryDirectory() as carpeta:
         carpeta = Path(carpeta)
-        delante = build / "herramientas/explica/libexplica.so"
-        pide = " ".join(f"{x},{y}" for x, y in puntos)
+        pide = preguntado.preguntando(build, carpeta, build / "herramientas/explica/libexplica.so")
+        pide |= {"LAB_EXPLICA": "e.json", "LAB_EXPLICA_PIXELES": " ".join(f"{x},{y}" for x, y in puntos)}
         try:
-            pide = {"LAB_EXPLICA": "e.json", "LAB_EXPLICA_PIXELES": pide}
-            imagen = dibuja(orden, carpeta, **preguntado.preguntando(build, carpeta, delante), **pide)
+            imagen = dibuja(orden, carpeta, **pide)
             explicadas = preguntado.contestado(carpeta)
             # sin explicar es la del golden, salvo lo que redondee otro OpenGL
             igual = golden and imagen == pixeles(golden) or imagen == dibuja(orden, carpeta)

@@ -22,10 +22,9 @@ ESTADO = {  # lo que se pregunta para cada cosa, y cuántos números es
 }
 SUELTAS = "PRIMITIVE_RESTART COLOR_WRITEMASK DEPTH_WRITEMASK VERTEX_ARRAY_BINDING DRAW_FRAMEBUFFER_BINDING"
 SIN_DECIR = (  # que ha de quedar como estaba
-    "STENCIL_WRITEMASK STENCIL_BACK_WRITEMASK STENCIL_BACK_FUNC STENCIL_BACK_REF STENCIL_BACK_FAIL DEPTH_CLEAR_VALUE"
-    " STENCIL_CLEAR_VALUE COLOR_CLEAR_VALUE BLEND_COLOR BLEND_EQUATION_ALPHA ACTIVE_TEXTURE"
-    " READ_FRAMEBUFFER_BINDING PIXEL_PACK_BUFFER_BINDING PIXEL_UNPACK_BUFFER_BINDING PACK_ALIGNMENT PACK_ROW_LENGTH"
-    " UNPACK_ALIGNMENT RENDERBUFFER_BINDING RASTERIZER_DISCARD MULTISAMPLE DITHER READ_BUFFER DRAW_BUFFER"
+    "STENCIL_WRITEMASK STENCIL_BACK_WRITEMASK STENCIL_BACK_FUNC STENCIL_BACK_FAIL DEPTH_CLEAR_VALUE STENCIL_CLEAR_VALUE"
+    " COLOR_CLEAR_VALUE BLEND_COLOR BLEND_EQUATION_ALPHA ACTIVE_TEXTURE READ_FRAMEBUFFER_BINDING PACK_ALIGNMENT"
+    " PIXEL_PACK_BUFFER_BINDING PIXEL_UNPACK_BUFFER_BINDING RENDERBUFFER_BINDING RASTERIZER_DISCARD READ_BUFFER"
 )
 SE_PREGUNTAN = re.findall(r"\b[A-Z_]{4,}", " ".join([*ESTADO, *ESTADO.values(), SUELTAS, SIN_DECIR]).replace("GL_", ""))
 PRUEBAS = {"recorte": "SCISSOR_TEST", "plantilla": "STENCIL_TEST", "quita": "CULL_FACE", "mezcla": "BLEND"}
@@ -131,9 +130,11 @@ def fallos_de_cableado(cableado, suya, textos):
 def fallos(cuadro, suyas, explicadas):
     """`suyas`: las que da pregunta, del mismo cuadro; y las mismas, al explicarlo."""
     for i, explicada in enumerate(explicadas):
-        if explicada != (suya := suyas[i % len(suyas)]):
-            cambia = [(que, *c) for que in suya for c in suya[que].items() if c not in explicada[que].items()]
-            yield f"al explicarlo, en la orden {i + 1}, no son los mismos: {cambia}"
+        hay = [
+            (q, *c) for q, suyo in suyas[i % len(suyas)].items() for c in suyo.items() if c not in explicada[q].items()
+        ]
+        if any(nombre != "VERTEX_ARRAY_BINDING" for _, nombre, _ in hay):  # hay quien crea otro en cada cuadro
+            yield f"al explicarlo, en la orden {i + 1}, no es {hay}"
             break
     dichas = [o for o in cuadro["ordenes"] if re.match(r"(glClear|glDrawArrays|glDrawElements)\(", o["llamada"])]
     if len(suyas) != len(dichas):
