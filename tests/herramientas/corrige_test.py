@@ -334,11 +334,9 @@ def test_lo_que_no_responde():
 
     assert dice(0, 1, 1, 3, 4) == ["«tecla b» no hace nada"]
     assert dice(0, 0, 2, 2, 4) == ["«arrastra» no hace nada"]
-    assert dice(0, 0, 0, 0, 0) == ["no responde a nada de lo que debería"]
-    assert dice(0, 1, 2, 9, 4) == []
+    assert dice(0, 0, 0, 0, 0) == ["no responde a nada de lo que debería"] and dice(0, 1, 2, 9, 4) == []
     assert dice(0, 1, 2, 9, 4, muestra=[{"tras": ["tamano 3 4"]}]) == ["está mal al cambiar el tamaño de la ventana"]
-    assert dice(0, 1, 1, 3, 4, donde=0) == []
-    assert dice(0, 1, 2, 9, 4, casi=True) == [veredicto.POR_POCO]
+    assert dice(0, 1, 1, 3, 4, donde=0) == [] and dice(0, 1, 2, 9, 4, casi=True) == [veredicto.POR_POCO]
 
 
 def test_un_numero_con_pocas_cifras():

@@ -47,5 +47,3 @@ def test_se_empieza_por_algo_que_compila_y_dibuja(referencia, tmp_path):
         assert len({imagen[i : i + 3] for i in range(15, len(imagen), 3)}) > 2, f"{caso.nombre}: no dibuja nada"
         distintos += (imagen, escrito) != dibuja(programa.ejecutable(BUILD), tmp_path / "nada", caso)
     assert distintos > len(programa.casos) / 2, "el esqueleto ya hace lo que se pide"
-    ayuda, suya = (ejecuta([p, "-ayuda"]) for p in (programa.ejecutable(BUILD), tmp_path / "esqueleto/programa"))
-    assert suya == ayuda.replace(b"uso: " + programa.nombre.encode(), b"uso: programa")

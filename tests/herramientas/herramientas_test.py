@@ -741,8 +741,8 @@ def test_una_carpeta_se_hace_entera_y_no_se_toca(tmp_path, monkeypatch):
 
 
 def test_cada_carpeta_con_otro_nombre(tmp_path):
-    """De cada ejercicio y de cada programa: los ficheros que nombra el enunciado están, y de las marcas solo quedan las
-    suyas."""
+    """De cada ejercicio y de cada programa: los ficheros que nombra el enunciado y sus controles están, y de las marcas
+    solo quedan las suyas."""
     programas = catalogo.lee_programas(BUILD)
     pedidos = *nuevo.ejercicios(RAIZ, programas), *(p.nombre for p in programas)
     for pedido in pedidos:
@@ -751,7 +751,10 @@ def test_cada_carpeta_con_otro_nombre(tmp_path):
         nombrados = re.findall("^- `(.+)`: ", enunciado.read_text(), re.M) if referencia else []
         assert bool(referencia) == bool(nombrados) and all((carpeta / f).is_file() for f in nombrados), pedido
         if referencia:  # si no, se le diría que lo empezó con otra versión
-            hoy = nuevo.version(nuevo.esqueleto(RAIZ, nuevo.ejercicios(RAIZ, programas)[referencia], referencia))
+            programa = nuevo.ejercicios(RAIZ, programas)[referencia]
+            hoy = nuevo.version(esqueleto := nuevo.esqueleto(RAIZ, programa, referencia))
+            mandos = re.search("// Controles: .*", (RAIZ / programa.fuente).read_text())[0]
+            assert mandos in esqueleto.get(programa.fuente.name, mandos), "con F1 no se dirían sus teclas"
             assert entrega.lee_entrega(carpeta, referencia).version == hoy, pedido
         for fichero in carpeta.iterdir():
             marcas_ = re.findall(r"// (?:fin de )?([EL]\d+\.\d+)|// (de partida)", fichero.read_text())
