@@ -444,8 +444,8 @@ def test_lo_de_otro_no_estropea_lo_que_se_escribe(tmp_path, juzga, monkeypatch, 
 
 
 @pytest.mark.parametrize("pide", re.findall(r"^\| `(-[^`]+)`", (RAIZ / "docs/corrige.md").read_text(), re.M))
-@pytest.mark.parametrize("que", ["clase", f"clase/ana_1{MOODLE}"])
-def test_cada_opcion_hace_algo_o_se_dice_que_no(tmp_path, juzga, monkeypatch, capsys, pide, que):
+@pytest.mark.parametrize("que,n", [("clase", "0"), ("clase", "3"), (f"clase/ana_1{MOODLE}", "3")])
+def test_cada_opcion_hace_algo_o_se_dice_que_no(tmp_path, juzga, monkeypatch, capsys, pide, que, n):
     """De lo que se escribe, de lo que se dice y de lo que recibe quien corrige, algo es otra cosa que sin ella."""
     juzga(lambda *_: {"nota": 50, "dice": ["mal"]})
     sin_banco(monkeypatch, tmp_path)
@@ -469,7 +469,7 @@ def test_cada_opcion_hace_algo_o_se_dice_que_no(tmp_path, juzga, monkeypatch, ca
             return str(fallo)
         return {f: f.read_bytes() for f in Path().rglob("*") if f.is_file()}, capsys.readouterr(), [*llega]
 
-    opcion, *valor = pide.replace("N", "3").split()
+    opcion, *valor = pide.replace("N", n).split()
     con = ["--moodle", "HOJA.csv"] if (opcion, que) == ("--cambia-notas", "clase") else []
     una, otra = hace(*con), hace(*con, opcion, *valor)
     assert una == hace(*con) and (una != otra or opcion == "-j" and que != "clase")
