@@ -65,8 +65,7 @@ def test_lo_que_se_ve_distinto(tmp_path):
         estado, dice = compara(tmp_path, BUENA, BUENA[: -len(rgb)] + otra, modo + " --deja=de")
         distan = [abs(a - b) for a, b in zip(rgb, otra)]
         media, rmse = sum(distan) / len(distan), math.sqrt(sum(d * d for d in distan) / len(distan))
-        assert estado == 1, (que, modo)
-        assert f"máximo {max(distan)} " in dice
+        assert estado == 1 and f"máximo {max(distan)} " in dice, (que, modo)
         assert f"media {media:.4f}, RMSE {rmse:.4f}, PSNR {20 * math.log10(255 / rmse):.1f} dB" in dice
         dejan = {"esperada": rgb, "obtenida": otra, "diferencia": bytes(min(8 * d, 255) for d in distan)}
         assert all((tmp_path / f"de-{de}.ppm").read_bytes()[-len(rgb) :] == dejan[de] for de in dejan)

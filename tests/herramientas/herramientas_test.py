@@ -132,16 +132,10 @@ def test_el_frente_de_pareto_y_la_elegida():
 
 
 def test_las_columnas_de_un_tsv(tmp_path):
-    f = tmp_path / "t.tsv"
-    f.write_text("a\t-\t0.5\t-\t3 1 2\nb\tg\tnan\tnota\t30 10 20\n")
-    a, b = tecnicas.lee_variantes(f)
-    assert (a.nombre, a.grupo, a.mediana, a.minimo, a.maximo, a.error, a.nota) == ("a", "", 2, 1, 3, 0.5, "")
-    assert (b.grupo, b.nota) == ("g", "nota")
-    sin_sentido = "a - 0.5 -", "a - 0 - 1,0", "a - 0 - inf", "a - -1 - 1", ""
-    for mal in (*sin_sentido, "a - 0 - 1\na - 0 - 1", "a - 0 - 1,2\nb - 0 - 1"):
-        f.write_text(mal.replace(" ", "\t").replace(",", " "))
-        with pytest.raises(procesos.Fallo, match="t.tsv"):
-            tecnicas.lee_variantes(f)
+    (tmp_path / "t.tsv").write_text("a\t-\t0.5\t-\t3 1 2\nb\tg\tnan\tnota\t30 10 20\n")
+    a, b = tecnicas.lee_variantes(tmp_path / "t.tsv")
+    son = a.grupo, a.mediana, a.minimo, a.maximo, a.error, a.nota, b.grupo, b.nota
+    assert son == ("", 2, 1, 3, 0.5, "", "g", "nota")
 
 
 def test_el_error_de_un_ensayo():

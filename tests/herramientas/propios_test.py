@@ -424,10 +424,16 @@ def test_un_enunciado_en_la_pagina():
 
 
 def test_un_ejercicio_esta_para_darlo_si_todo_esta_bien(monkeypatch):
+    """Y varios, si lo está cada uno."""
     for como in itertools.product(([], ["x"], ["x", "y"]), repeat=3):
         monkeypatch.setattr(comprueba, "preguntas", lambda *_: [("p", "1", mal) for mal in como])
         dado = comprueba.comprueba(RAIZ, BUILD, "E1.1", None)
         assert [re.search(r": (\d) de", d)[1] for d in dado] == [str(sum(map(bool, como)))] * any(como)
+    monkeypatch.setattr(comprueba.sys, "argv", ["", str(RAIZ), str(BUILD), "uno", "dos"])
+    monkeypatch.setattr(comprueba, "elige", lambda *que: {que[2]: None})
+    monkeypatch.setattr(comprueba, "comprueba", lambda *que: [que[2]] * (que[2] == "uno"))
+    with pytest.raises(Fallo, match="uno"):
+        comprueba.main()
 
 
 def test_lo_que_se_da_y_lo_que_no(tmp_path):

@@ -83,6 +83,10 @@ def fallos_de_tests(suceso):
         pasa = COMPARA[suceso["profundidadPide"]](suya, habia)
         if abs(suya - habia) > CASI and pasa == (veredicto == "profundidad"):
             yield f"se pide {suceso['profundidadPide']}, {suya}, y había {habia}"
+    son = {"profundidad": [suya, habia], "plantilla": [suceso.get("plantillaAntes")]}.get(veredicto, [])
+    dichos = preguntado.numeros(suceso["dice"].partition(" (")[0])
+    if any(abs(dicho - es) > 1e-5 for dicho, es in zip(dichos, son)):
+        yield f"«{suceso['dice']}», y son {son}"
 
 
 def fallos_de_mascara(suceso, canales):
