@@ -65,7 +65,7 @@ function loQuePasa(s) {
   return s.tipo && cambia(s) ? `${s.dice}; y otra, que no llega a su centro, cambia parte de sus muestras` : s.dice;
 }
 
-const tabla = (clase, titulos, ...filas) => h('div', { class: 'tabla' }, h('table', { class: clase },
+const tabla = (clase, titulos, ...filas) => h('div', { class: 'tabla', tabindex: 0 }, h('table', { class: clase },
   h('thead', {}, h('tr', {}, titulos.map(texto => h('th', {}, texto)))), h('tbody', {}, ...filas)));
 
 /** «triángulo 11.º»: el primero es el 1.º; de un punto, también su gl_VertexID, que se cuenta desde 0. */
@@ -178,7 +178,7 @@ function fuenteDe(fuente, traza, lecturas = []) {
     return [h('tr', {}, h('th', { colspan: 3 }, fichero,
       suCabecera ? h('button', { title: 'Lo que dice su cabecera', onclick: abre }, '…') : '')), fila];
   });
-  return h('div', { class: 'tabla' }, h('table', { class: 'fuente' }, h('tbody', {}, filas)));
+  return h('div', { class: 'tabla', tabindex: 0 }, h('table', { class: 'fuente' }, h('tbody', {}, filas)));
 }
 
 function interpolacion(sombreado) {

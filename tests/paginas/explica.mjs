@@ -212,7 +212,7 @@ print(json.dumps([[p.enlace, p.mira] for p in libro.porques(Path(sys.argv[1]))])
   'lo que explica un píxel, para todos, y nada se sale': async p => {
     for (const [ancho, alto] of [[1440, 900], [1024, 768], [390, 844]]) {
       await p.talla(ancho, alto);
-      await p.carga('#espejo_plantilla/explica/260,330');
+      await p.carga('#orden_transparencia/explica/240,340');
       await seVe(p);
       await p.nadaSeSale(`a ${ancho}`);
       for (const value of p.cual === 'chromium' ? ['light', 'dark'] : ['']) { // Firefox no deja pedirlo desde fuera

@@ -237,14 +237,16 @@ class Persona {
     }), []);
   }
 
-  /// Nada se sale a lo ancho, ni con el texto del navegador al doble, que es lo que cambia quien ve poco.
+  /// Nada se sale, ni con el texto del navegador al doble, que es lo que cambia quien ve poco; y lo sangrado lo está.
   async nadaSeSale(que = '') {
     for (const [texto, debe] of [['200%', '32px'], ['100%', '16px']]) {
-      const [letra, sobra] = await this.da(texto => {
+      const [letra, sobra, pegado] = await this.da(texto => {
         document.documentElement.style.fontSize = texto;
-        return [getComputedStyle(document.body).fontSize, document.documentElement.scrollWidth - innerWidth];
+        const junta = e => /^ {2}/.test(e.firstChild?.data) && !getComputedStyle(e).whiteSpace.startsWith('pre');
+        return [getComputedStyle(document.body).fontSize, document.documentElement.scrollWidth - innerWidth,
+          todos('*').find(junta)?.textContent];
       }, texto);
-      assert.ok(letra === debe && sobra <= 0, `${que}, con el texto al ${texto}, de ${letra}, se sale ${sobra}`);
+      assert.ok(letra === debe && sobra <= 0 && !pegado, `${que}, al ${texto}, de ${letra}, ${sobra}, «${pegado}»`);
     }
   }
 
