@@ -24,6 +24,7 @@ import json
 import operator
 import os
 import random
+import re
 import subprocess
 import sys
 import tempfile
@@ -119,6 +120,24 @@ def quien_gana(historia, lienzo=0):
     return None, None
 
 
+def fallos_de_lo_que_falta(suceso, canales):
+    """Sin lo primero que no pasa se vería si pasa lo demás, y la plantilla y la profundidad se pueden comparar; de lo
+    que el shader descarta no se sabe la suya, pero de lo que nada tiene detrás, que está delante."""
+    pruebas = [*("cara", "descartado", "plantilla", "profundidad")]
+    veredicto, suya, habia = (suceso.get(cual) for cual in ("veredicto", "profundidad", "profundidadAntes"))
+    suya = suya if suya is not None or habia != 1 else 0.5
+    if veredicto not in pruebas or "profundidadPide" in suceso and (None in (suya, habia) or abs(suya - habia) < CASI):
+        return
+    pasa = {"profundidad": "profundidadPide" not in suceso or COMPARA[suceso["profundidadPide"]](suya, habia)}
+    pasa["descartado"] = "color" in suceso
+    if "plantillaPide" in suceso:
+        funcion, referencia = suceso["plantillaPide"].split()
+        pasa["plantilla"] = COMPARA[funcion](int(referencia), suceso["plantillaAntes"])
+    debe = bool(canales) and all(pasa.get(prueba, True) for prueba in pruebas if prueba != veredicto)
+    if suceso["soloEsa"] != debe:
+        yield f"sin esa prueba {'no ' * (not debe)}se vería: {suceso}"
+
+
 def fallos_de_historia(historia, canales):
     queda = {}
     for suceso in historia:
@@ -136,7 +155,8 @@ def fallos_de_historia(historia, canales):
                 yield f"{quien}, copia {despues} y allí hay {queda[origen]}"
         yield from (f"{quien}: {fallo}" for fallo in fallos_de_tests(suceso))
         if "primitiva" in suceso:
-            yield from (f"{quien}: {fallo}" for fallo in fallos_de_mascara(suceso, canales[suceso["orden"]]))
+            for fallos in fallos_de_mascara, fallos_de_lo_que_falta:
+                yield from (f"{quien}: {fallo}" for fallo in fallos(suceso, canales[suceso["orden"]]))
         mezcla = suceso.get("mezcla", {})
         if not mezcla.get("cuadra", True):
             yield f"{quien}, deja {despues} y la mezcla es {mezcla}"
@@ -219,6 +239,9 @@ def fallos_de_lineas(cuadro, ejecutable):
     pregunta = llamadas.pregunta(ejecutable, cuadro["pilas"])
     respuesta = subprocess.run(pregunta, capture_output=True, text=True, check=True).stdout
     sitios = llamadas.sitios(cuadro["pilas"], respuesta, lambda ruta: ruta.startswith(f"{RAIZ}/ch"))
+    leidas = {(ruta, n) for marcos in llamadas.lee(respuesta).values() for _, ruta, n in marcos if f"{RAIZ}/" in ruta}
+    if leidas != {(ruta, int(n)) for ruta, n in re.findall(rf"^({RAIZ}/.*):(\d+)", respuesta, re.M)}:
+        yield "no se lee cada línea que se dice"
     todas = {(o["pila"], o["llamada"].partition("(")[0]) for o in cuadro["ordenes"]}
     dados = (u for o in cuadro["ordenes"] for u in o.get("cableado", {}).get("uniformes", []) if u["dado"])
     for pila, funcion in sorted(todas | {(u["pila"], "glUniform") for u in dados}):
@@ -275,6 +298,7 @@ def fallos_de_caso(build, enlace, caso, cuantos):
     orden = [build / enlace / programa.capitulo.nombre / programa.nombre, *["-guion", guion] * bool(guion)]
     golden = None if anda else RAIZ / f"tests/golden/{programa.capitulo.nombre}/{caso.fichero}.ppm"
     sabido = SIN_SOSPECHAS.get(programa.nombre, "")
+    cuantos *= 4 if programa.nombre == "enrejado" else 1  # a ver si toca un hueco
     fallos = fallos_de(build, orden, al_azar(caso.fichero, cuantos, golden), golden, sabido)
     return [f"{enlace}, {caso.fichero}: {fallo}" for fallo in fallos]
 
