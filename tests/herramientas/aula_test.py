@@ -22,7 +22,7 @@ from base import catalogo, defectos, procesos
 from ejercicios import nuevo
 from ejercicios.corrige import aula
 from ejercicios.corrige import clase as de_clase
-from ejercicios.corrige import conjunto, entrega, hoja, informes, parecidos
+from ejercicios.corrige import conjunto, entrega, hoja, informes, orden, parecidos
 from ejercicios.reglas import Reglas
 from copias import copia
 from mentira import faltan, siembra
@@ -472,7 +472,8 @@ def test_una_nota_vale_lo_que_vale_en_cada_sitio(tmp_path, monkeypatch, maxima):
             assert abs(vale - desde - nota * (de - desde) / 100) <= 0.005 and (vale == de) == (nota == 100), escrita
 
 
-def test_la_hoja_que_no_se_entiende_se_dice_antes_de_corregir(tmp_path):
+def test_la_hoja_que_no_se_entiende_se_dice_antes_de_corregir(tmp_path, monkeypatch):
+    monkeypatch.setattr(orden.clase, "clase", lambda *_: pytest.fail("se corrige"))
     for fichero, texto, dice in (
         ("a", "Nombre,Nota\nAna,5\n", "no es una hoja de calificaciones de Moodle que conozca"),
         ("b", "", "no es una hoja"),
@@ -481,7 +482,8 @@ def test_la_hoja_que_no_se_entiende_se_dice_antes_de_corregir(tmp_path):
     ):
         siembra(tmp_path, {Path(fichero).name: texto})
         with pytest.raises(procesos.Fallo, match=dice):
-            hoja.Hoja(tmp_path / fichero)
+            pedido = SimpleNamespace(moodle=tmp_path / fichero, cambia_notas=False, deja=tmp_path, j=1)
+            orden.de_una_clase(pedido, banco_falso(tmp_path), tmp_path, [])
 
 
 def test_lo_puesto_a_mano_se_respeta(tmp_path):
@@ -610,6 +612,7 @@ def test_lo_que_se_sabe_de_cada_uno_esta_en_cada_sitio(tmp_path):
     conjunto.escribe(tmp_path, todos, banco, {})
     pagina, de_moodle = (tmp_path / "index.html").read_text(), zipfile.ZipFile(tmp_path / "comentarios.zip")
     junit, tabla = ElementTree.fromstring(informes.en_junit(todos.values())), informes.en_csv(todos.values()).encode()
+    assert all(info.external_attr >> 16 & 0o444 == 0o444 for info in de_moodle.infolist()), "se puede abrir"
     fila = r'<tr><td><a href="(.*?)">(.*?)</a></td>\s*<td class="nota( mal)?">(.*?)</td><td>(.*?)</td>'
     filas, (_, *celdas_) = re.findall(fila, pagina), celdas(tabla, "utf-8-sig", separador=";")
     palabras = lambda texto: re.findall(r"\b(?!png)[a-z]+\d+x\d+z", re.sub("<[^>]*>|mios/.*", " ", texto).lower())

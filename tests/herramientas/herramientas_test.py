@@ -284,6 +284,9 @@ def test_lo_que_se_sirve(tmp_path, monkeypatch):
     monkeypatch.setattr(controles, "atiende", lambda *_, **__: (set(), []))
     monkeypatch.setattr(taller, "paquete", lambda _: build)
     monkeypatch.setattr(de_la_pagina.Pagina, "empaqueta_taller", lambda _: {"ficheros": []})
+    de_capitulos = [(c.caso_de_portada, *(p.casos[0] for p in c.programas)) for c in catalogo.lee(BUILD)]
+    minis = {c.miniatura: "" for suyos in de_capitulos for c in suyos if c and not c.programa.consola}
+    siembra(tmp_path, minis)
     de_la_pagina.Pagina(raiz, build / "web", tmp_path, tmp_path / "web").escribe(catalogo.lee(BUILD))
     PaginaGaleria(raiz, tmp_path / "galeria", catalogo.lee(BUILD)).escribe()
     hay = {str(f.relative_to(tmp_path)): f.read_text() for c in ("web", "galeria") for f in (tmp_path / c).rglob("*.*")}
@@ -303,6 +306,8 @@ def test_lo_que_se_sirve(tmp_path, monkeypatch):
     estan = {Path(f).name for f in json.loads(hay["web/datos/shaders.js"])} | {f[10:-3] for f in datos}
     de_aqui = {f.name for f in [*RAIZ.glob("*/*"), *BUILD.glob("assets/*")]}
     assert len(hechas) > 100 and de_clase | leen & de_aqui <= estan
+    se_ven = set(re.findall('src="([^"]+webp)"', hay["web/index.html"]))
+    assert se_ven == {*minis} and {f"web/{f}" for f in minis} <= hay.keys()
     pagina, fuentes_ = hay["web/index.html"], re.findall('data-fuente="([^"]+)"', hay["galeria/index.html"])
     assert {f"galeria/fuentes/{f}.js" for f in fuentes_} == {f for f in hay if "/fuentes/" in f}
     programas = json.loads(re.search('id="programas">(.*)</script>', pagina)[1])

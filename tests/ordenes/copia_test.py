@@ -56,6 +56,7 @@ class Copia:
     def __init__(self, sitio):
         self.sitio, self.raiz, self.temporal = sitio, sitio / "lab (1) e$f g[h] ñ", sitio / "tmp"
         self.temporal.mkdir()
+        self.cual = "./lab"  # o un enlace a él
         self.entorno = {c: v for c, v in os.environ.items() if c not in ("DISPLAY", "WAYLAND_DISPLAY", "LAB_CERROJO")}
         self.entorno |= {"LAB_SIN_INSTALAR": "1", "TMPDIR": str(self.temporal)}
         otros = re.compile(r"ch(0[2-9]|1)")
@@ -73,7 +74,7 @@ class Copia:
         """Ejecuta ./lab ORDEN: con ese estado, y con cada uno de esos textos en lo que dice."""
         como = {"text": True, "stdin": subprocess.DEVNULL, "stdout": subprocess.PIPE, "stderr": subprocess.STDOUT}
         como |= {"cwd": self.raiz, "env": self.entorno | entorno, **(quien or {})}
-        r = subprocess.run(["./lab", *orden.split()], **como)
+        r = subprocess.run([self.cual, *orden.split()], **como)
         assert (r.returncode, faltan(r.stdout, *dice)) == (estado, []), f"{orden}: {r.stdout[-3000:]}"
         assert not list(self.temporal.iterdir())
         return r.stdout
@@ -151,6 +152,9 @@ def test_un_programa_mas(lab):
     lab("galeria", 0, "ch01_intro/nuevo: 1 imagen")
     assert not faltan((lab.raiz / "galeria/index.html").read_text(), '<article id="nuevo">', "Es nuevo")
     lab("ver E1.2", 0, "lo he dibujado en nuevo.png")
+    lab.cambia("ch01_intro/nuevo.cpp", "^// Controles: .*", "// Controles: k mueve algo.")
+    lab("ver E1.2")
+    assert "mueve algo" in (lab.raiz / "build/controles/nuevo.cpp").read_text()
 
 
 def test_donde_no_se_puede_escribir(lab):
@@ -170,6 +174,8 @@ def test_movido_nada_de_lo_compilado_vale(lab):
     (lab.raiz / "build/CMakeFiles/rules.ninja").unlink()
     lab("lista", 0, "Tres")  # se arregla de lo que le falte
     lab.raiz = lab.raiz.rename(lab.sitio / "lab (2) a&b c'd")
+    (lab.sitio / "lab").symlink_to(lab.raiz / "lab")
+    lab.cual = lab.sitio / "lab"
     lab("lista", 0, "Tres")
     assert f"CMAKE_HOME_DIRECTORY:INTERNAL={lab.raiz}\n" in (lab.raiz / "build/CMakeCache.txt").read_text()
     assert not (lab.raiz / "build/ventana/ch01_intro/shader_basico").exists()
