@@ -51,6 +51,7 @@ const cambios = {
     await editaPhong(p);
     await p.da(() => {
       cm.replaceRange('// mío\n', { line: 1, ch: 0 }, undefined, '+input');
+      todos('.pestanas button').find(b => b.ruta && b.ruta !== editor.ruta).click();
       location.hash = 'grua';
     });
     await p.acaba('se va', () => visto.programa.nombre === 'grua' && sesion?.vivo && editor.ruta);

@@ -99,6 +99,11 @@ const maneras = {
     await p.pagina.mouse.click(...await p.punto(65, 82));
     await seVe(p);
     await p.exige('no le llega', () => !hecho.ordenes.length);
+    await p.exige('y la marca no se queda con los que vengan', () => {
+      una('.lienzo .aqui').scrollIntoView({ block: 'center' });
+      const { x, y, width, height } = una('.lienzo .aqui').getBoundingClientRect();
+      return document.elementFromPoint(x + width / 2, y + height / 2) === una('canvas');
+    });
     await p.exige('dice por qué', () =>
       /no pasa la plantilla: hay 0 y se pide GL_EQUAL 1/.test(una('.explicacion').textContent));
     await p.exige('sin sospechar de lo que no llega a nada', () => !una('.explicacion .sospechas'));
@@ -212,7 +217,7 @@ print(json.dumps([[p.enlace, p.mira] for p in libro.porques(Path(sys.argv[1]))])
   'lo que explica un píxel, para todos, y nada se sale': async p => {
     for (const [ancho, alto] of [[1440, 900], [1024, 768], [390, 844]]) {
       await p.talla(ancho, alto);
-      await p.carga('#orden_transparencia/explica/240,340');
+      await p.carga('#transparencia/explica/480,400');
       await seVe(p);
       await p.nadaSeSale(`a ${ancho}`);
       for (const value of p.cual === 'chromium' ? ['light', 'dark'] : ['']) { // Firefox no deja pedirlo desde fuera

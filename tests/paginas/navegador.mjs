@@ -3,6 +3,7 @@
 import assert from 'node:assert/strict';
 import { execFileSync, spawnSync } from 'node:child_process';
 import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { createServer } from 'node:http';
 import { createRequire } from 'node:module';
 import { after, describe, it } from 'node:test';
 import { tmpdir } from 'node:os';
@@ -27,8 +28,8 @@ const NAVEGADORES = {
     extraPrefsFirefox: { 'webgl.force-enabled': true, 'gfx.x11-egl.force-enabled': true } },
 };
 
-/// Cada prueba de la tabla { nombre: hace(p) }, en cada uno de esos navegadores y en una página sin estrenar, que no
-/// tiene que escribir ningún error en su consola.
+/// Cada prueba de la tabla { nombre: hace(p) }, en cada uno de esos navegadores y en una página sin estrenar, que se
+/// tiene que quedar bien.
 export function enNavegadores(cuales, pruebas) {
   for (const cual of cuales) {
     describe(cual, () => {
@@ -42,7 +43,7 @@ export function enNavegadores(cuales, pruebas) {
           try {
             const p = await new Persona(cual).estrena(await contexto.newPage());
             await hace(p);
-            assert.deepEqual(p.errores, [], 'la consola está vacía');
+            await p.quedaBien();
           } finally {
             await contexto.close();
           }
@@ -64,6 +65,14 @@ function nombra() {
   globalThis.todos = (selector, raiz = document) => [...raiz.querySelectorAll(selector)];
   globalThis.una = (selector, raiz = document) => raiz.querySelector(selector);
   globalThis.conTexto = (selector, texto) => todos(selector).find(e => e.textContent === texto);
+  globalThis.malPuesto = () => todos('[hidden]').filter(e => getComputedStyle(e).display !== 'none')
+    .map(e => `se ve ${e.outerHTML}`).concat(document.documentElement.scrollWidth > innerWidth ? 'se sale' : []);
+  globalThis.lienzos = new Set(); // los que tienen OpenGL
+  const da = HTMLCanvasElement.prototype.getContext;
+  HTMLCanvasElement.prototype.getContext = function (que, ...mas) {
+    if (que === 'webgl2') lienzos.add(this);
+    return da.call(this, que, ...mas);
+  };
   globalThis.cuadro = () => new Promise(hecho => requestAnimationFrame(() => setTimeout(hecho, 30)));
 }
 
@@ -237,16 +246,32 @@ class Persona {
     }), []);
   }
 
+  /// Haya pasado lo que haya pasado: nada en la consola, ningún lienzo de los de antes con la tarjeta, lo escondido no
+  /// se ve, nada se sale a lo ancho y lo que se puede pulsar no lo tapa nada.
+  async quedaBien() {
+    assert.deepEqual(this.errores, [], 'la consola está vacía');
+    await this.acaba('los lienzos que ya no están sueltan la tarjeta', () =>
+      [...lienzos].every(c => c.isConnected || c.getContext('webgl2').isContextLost()));
+    assert.deepEqual(await this.da(() => {
+      const encima = una('dialog[open]') ?? document.fullscreenElement ?? document, mal = malPuesto();
+      for (const e of todos('button, a[href], input, select, summary', encima)) {
+        const [r] = e.getClientRects(), hay = r && document.elementFromPoint(r.x + r.width / 2, r.y + r.height / 2);
+        if (!hay || !e.checkVisibility({ visibilityProperty: true }) || getComputedStyle(e).opacity === '0') continue;
+        if (!e.contains(hay) && hay.closest('label')?.control !== e) mal.push(['tapa', hay.outerHTML, e.outerHTML]);
+      }
+      return mal.map(String).map(s => s.slice(0, 400));
+    }), []);
+  }
+
   /// Nada se sale, ni con el texto del navegador al doble, que es lo que cambia quien ve poco; y lo sangrado lo está.
   async nadaSeSale(que = '') {
     for (const [texto, debe] of [['200%', '32px'], ['100%', '16px']]) {
-      const [letra, sobra, pegado] = await this.da(texto => {
+      const [letra, mal, pegado] = await this.da(texto => {
         document.documentElement.style.fontSize = texto;
         const junta = e => /^ {2}/.test(e.firstChild?.data) && !getComputedStyle(e).whiteSpace.startsWith('pre');
-        return [getComputedStyle(document.body).fontSize, document.documentElement.scrollWidth - innerWidth,
-          todos('*').find(junta)?.textContent];
+        return [getComputedStyle(document.body).fontSize, malPuesto(), todos('*').find(junta)?.textContent];
       }, texto);
-      assert.ok(letra === debe && sobra <= 0 && !pegado, `${que}, al ${texto}, de ${letra}, ${sobra}, «${pegado}»`);
+      assert.ok(letra === debe && !mal.length && !pegado, `${que}, al ${texto}, de ${letra}, ${mal}, «${pegado}»`);
     }
   }
 
@@ -275,6 +300,26 @@ class Persona {
     assert.ok(izquierda >= 0 && arriba >= 0 && derecha <= width && abajo <= height &&
       derecha - izquierda > width / (como === 'dos' ? 3 : 2), `va de ${caja} en ${pantalla}`);
     if (height >= 1080) assert.deepEqual(chicos, []);
+  }
+}
+
+/// Con la carpeta de la página servida, y en /otra.html lo que ponga: { raiz, otra, descargado }; `pagina` la cambia.
+export async function conServidor(hace) {
+  const tipos = { html: 'text/html', js: 'text/javascript' }, puesto = { otra: '', descargado: [], pagina: t => t };
+  const servidor = createServer(({ url }, responde) => {
+    puesto.descargado.push(url);
+    const cabeceras = { 'Content-Type': `${tipos[url.split('.').pop()]}; charset=utf-8`,
+      'Cache-Control': 'max-age=60' }; // lo que un servidor de ficheros suele decir
+    const suyo = url === '/otra.html' ? puesto.otra : readFileSync(ABRE + url);
+    responde.writeHead(200, cabeceras).end(url === '/index.html' ? puesto.pagina(String(suyo)) : suyo);
+  });
+  await new Promise(listo => servidor.listen(0, '127.0.0.1', listo));
+  puesto.raiz = `http://127.0.0.1:${servidor.address().port}`;
+  try {
+    await hace(puesto);
+  } finally {
+    servidor.closeAllConnections();
+    servidor.close();
   }
 }
 

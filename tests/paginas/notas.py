@@ -22,6 +22,8 @@ def entregas(c):
     bien = [m for m in defectos.lee(c.raiz / comprueba.BIEN)[0] if m.lista == c.ref][-1:]
     mal = c.banco.motivos.defectos
     hechas = dict(zip(("el punto de partida", "la solución"), c.banco.dados)) | {"a medias": a_medias(c)}
+    otro_fondo = {f: t.replace("ponFondo(", "ponFondo(glm::vec3(0.3f) - ") for f, t in c.banco.dados[1].items()}
+    hechas |= {"con otro fondo": otro_fondo} if otro_fondo != c.banco.dados[1] else {}
     for m in (*bien, *mal[:: max(1, -(-len(mal) // ERRORES))]):
         hechas[f"{m.nombre}, {m.imita}"] = con_sus_marcas(c, c.banco.motivos.estropeados(m))
     return hechas

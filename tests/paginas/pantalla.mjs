@@ -1,9 +1,7 @@
 // De cada manera de llegar a toda la pantalla, el lienzo ocupa lo que debe y se ve entero; dentro de otra página, los
 // programas son solo su imagen.
 import assert from 'node:assert/strict';
-import { readFileSync } from 'node:fs';
-import { createServer } from 'node:http';
-import { ABRE, PROGRAMAS } from './navegador.mjs';
+import { conServidor, PROGRAMAS } from './navegador.mjs';
 
 async function arranca(p, enlace) {
   await p.carga(enlace);
@@ -73,25 +71,6 @@ const proyectando = {
 
 const OTRA = '<!DOCTYPE html><title>Otra</title><link rel=icon href=data:,><body style="height: 4000px">' +
   '<input id=suyo>%<script>teclas = []; addEventListener("keydown", s => teclas.push(s.key))</script>';
-
-/// Con la carpeta de la página servida, y en /otra.html lo que ponga: { raiz, otra, descargado }.
-async function conServidor(hace) {
-  const tipos = { html: 'text/html', js: 'text/javascript' }, puesto = { otra: '', descargado: [] };
-  const servidor = createServer(({ url }, responde) => {
-    puesto.descargado.push(url);
-    const cabeceras = { 'Content-Type': `${tipos[url.split('.').pop()]}; charset=utf-8`,
-      'Cache-Control': 'max-age=60' }; // lo que un servidor de ficheros suele decir
-    responde.writeHead(200, cabeceras).end(url === '/otra.html' ? puesto.otra : readFileSync(ABRE + url));
-  });
-  await new Promise(listo => servidor.listen(0, '127.0.0.1', listo));
-  puesto.raiz = `http://127.0.0.1:${servidor.address().port}`;
-  try {
-    await hace(puesto);
-  } finally {
-    servidor.closeAllConnections();
-    servidor.close();
-  }
-}
 
 const incrustado = {
   'tres programas dentro de otra página, con la línea que da el botón': p => conServidor(async puesto => {

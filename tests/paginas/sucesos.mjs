@@ -86,7 +86,8 @@ test('cada tecla es de quien tiene el foco o, si el programa la usa, suya; con C
     const dadas = [], escena = { manda: orden => dadas.push(orden), recarga: () => dadas.push('especial F5') };
     const mandos = [{ teclas: [['d', 'tecla d'], ['Espacio', 'tecla Espacio'], ['←', 'especial IZQUIERDA']] }];
     const ORDENES = { d: 'tecla d', ' ': 'tecla Espacio', ArrowLeft: 'especial IZQUIERDA', ArrowDown: 'especial ABAJO',
-      z: 'tecla z', Enter: 'tecla Intro', Escape: 'tecla Esc', F1: 'especial F1', F5: 'especial F5', Tab: '', F12: '' };
+      z: 'tecla z', Enter: 'tecla Intro', Escape: 'tecla Esc', F1: 'especial F1', F5: 'especial F5',
+      F11: 'especial F11', Tab: '', F12: '' };
     let programa;
     pagina.body = new Elemento();
     pagina.querySelector = (antes => que => que === '.apunta' ? undefined : antes(que))(pagina.querySelector);

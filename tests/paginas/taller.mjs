@@ -2,7 +2,7 @@
 // que comete quien empieza (errores.tsv) queda en su línea.
 import assert from 'node:assert/strict';
 import { delCapitulo, distintos } from './casos.mjs';
-import { CAPITULOS, enNavegadores, lee } from './navegador.mjs';
+import { CAPITULOS, conServidor, enNavegadores, lee } from './navegador.mjs';
 
 const GRUA = 'ch03_transformaciones/grua.cpp';
 const linea = texto => texto.split('\n').length;
@@ -75,6 +75,12 @@ const uso = {
     await p.acaba('y se va allí, con lo dicho a la vista', donde => cm.hasFocus() && cm.getCursor().line === donde &&
       una('.CodeMirror-linewidget').getBoundingClientRect().bottom < innerHeight, mala);
     await p.esParaTodos();
+    for (const enlace of ['#camara', '#grua;tecla d ×2;tecla w']) {
+      await p.va(enlace);
+      await p.acaba(enlace, enlace => enlace.startsWith(`#${visto.programa.nombre}`) && sesion?.vivo && editor.ruta,
+        enlace);
+      await p.exige('lo dicho era de lo que se ha dejado', () => !una('.mensaje-malo, .linea-mala'));
+    }
     await cambia(p, 'ponFondo(rojo)', 'ponFondo(CIELO)');
     assert.deepEqual(await p.imagen(), antes, 'y como estaba');
   },
@@ -97,6 +103,20 @@ const uso = {
     }
     assert.deepEqual(mal, []);
   },
+
+  'lo que se trae se guarda, y mientras sea de la misma versión no se pide': p => conServidor(async puesto => {
+    const pedidos = [];
+    await p.pagina.setCacheEnabled(false); // la del navegador, que tampoco lo pediría
+    for (const version of 'aababb') {
+      puesto.pagina = html => html.replace(/(id="taller">.*?"version": ?")[^"]*/s, `$1${version}`);
+      puesto.descargado.length = 0;
+      await p.carga('#grua', `${puesto.raiz}/index.html`);
+      await p.acaba('arranca', () => sesion?.vivo);
+      await p.da(() => pagina.compilacion.compilador.prepara(() => {}, new AbortController().signal));
+      pedidos.push(puesto.descargado.some(url => /datos.(taller|llvm)/.test(url)));
+    }
+    assert.deepEqual(pedidos, [true, false, true, true, true, false]);
+  }),
 
   'cada error queda en su línea, y en español': async p => {
     const original = lee(GRUA), mal = [];
