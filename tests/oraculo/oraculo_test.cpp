@@ -76,35 +76,4 @@ TEST(Comparar, CadaErrorSeNota) {
                  std::domain_error);
 }
 
-// Un toro que se tapa a sí mismo tiene banda dentro de su silueta; un cubo, en sus aristas; una esfera, solo junto a la
-// silueta.
-TEST(Comparar, LaBandaVeLosBordesDeUnMismoObjeto) {
-    const Camara c = perspectiva(orbita(0.6, 0.5, 6), 0.6, 1, 50);
-    const auto bordesDentro = [&](const Objeto &o) {
-        const ImagenRef ref = render({o}, c, 120, 120, [](const Impacto &i) {
-            return i ? Vec3{1, 1, 1} : Vec3{};
-        });
-        int n = 0;
-        for (int y = 0; y < 120; ++y)
-            for (int x = 1; x < 120; ++x) {
-                const PixelRef &este = ref.en(x, y), &anterior = ref.en(x - 1, y);
-                n += este.objeto == 0 && anterior.objeto == 0 && hayBorde(este, anterior);
-            }
-        return n;
-    };
-    EXPECT_GT(bordesDentro(malla(gira({0, 1, 0}, 1.8), toro(1, 0.4f, 128, 64))), 20);
-    EXPECT_GT(bordesDentro(caja(escala(1.5))), 40);
-    EXPECT_GT(bordesDentro(malla(escala(1.5), cubo())), 40);
-    EXPECT_LT(bordesDentro(esfera(Mat4{})), 20);
-    EXPECT_LT(bordesDentro(malla(Mat4{}, esfera(64))), 20);
-    PixelRef uno, otro; // dos caras en el mismo plano
-    uno.objeto = otro.objeto = 0;
-    EXPECT_FALSE(hayBorde(uno, otro));
-    otro.cara = 1;
-    EXPECT_TRUE(hayBorde(uno, otro));
-    otro.cara = 0;
-    otro.zona = 1;
-    EXPECT_TRUE(hayBorde(uno, otro));
-}
-
 } // namespace
