@@ -1,4 +1,4 @@
-// Lo que se pinta encima de la escena (common/encima, rotulo y trazo): se dibuja en una ventana sin pantalla y se miran
+// Lo que se pinta encima de la escena (common/encima/rotulo): se dibuja en una ventana sin pantalla y se miran
 // los píxeles. Dónde cae cada cosa y de qué color, en los programas (encima.h); lo que se ve de los trazos, en los del
 // capítulo 11 (pintado.h).
 #include "captura.h"
@@ -8,7 +8,6 @@
 #include "prueba.h"
 #include "recuadro.h"
 #include "rotulo.h"
-#include "trazo.h"
 #include "ventana.h"
 // después de glew.h
 #include "glut/sin_ventana/glut_sin_ventana.h"
@@ -148,14 +147,6 @@ TEST_F(Ayudas, LoQueNoCabeSeEncoge) {
             for (const glm::ivec2 &p : {glm::ivec2(i, 0), {i, 359}, {0, i % 360}, {479, i % 360}})
                 ASSERT_EQ(color(imagen, p.x, p.y), glm::ivec3(255)) << p.x << ", " << p.y << ": " << texto;
     }
-}
-
-// Una flecha corta es toda punta, y no empieza antes de donde debe.
-TEST_F(Ayudas, UnaFlechaCortaNoSeSale) {
-    const Imagen imagen = pinta([] { trazaFlecha({0, 0, 0}, {0.02f, 0, 0}, glm::mat4(1), ROJO); });
-    EXPECT_NE(color(imagen, 242, 180), glm::ivec3(255));
-    for (int i = 0; i < 237 * 360; ++i)
-        ASSERT_EQ(color(imagen, i % 237, i / 237), glm::ivec3(255)) << i % 237 << ", " << i / 237;
 }
 
 // Se lea quien se lea y sobre lo que sea: la letra, que es lo que más se pinta, y el halo, lo segundo, contrastan 4.5
