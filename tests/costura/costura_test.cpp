@@ -97,8 +97,6 @@ TEST(Guion, LeDiceAlPrograma) {
         {{DEFECTUOSO, "lectura"}, "captura a.ppm; tamano 9 8", "1\n1\n"},
         // sin función propia, dibuja en la ventana entera
         {{DEFECTUOSO, "suelto"}, "tamano 16 9", "32 24\n16 9\n"},
-        // F12 no pisa lo guardado
-        {{"grua"}, "especial F12; tecla d; especial F12", "guardado grua-1.png\nguardado grua-2.png\n"},
     };
     for (const Caso &c : casos) {
         const Ejecucion e = lanza(c.orden, c.guion);
