@@ -1,6 +1,5 @@
 // Comprobaciones independientes de tiras (ch02_modelado/tiras.h): las tiras expandidas con la regla de la
 // especificación de OpenGL son los mismos triángulos.
-#include "azar.h"
 #include "ch02_caja.h"
 #include "ch02_modelado/tiras.h"
 #include "guiones.h"

@@ -1,14 +1,11 @@
 // Los programas del capítulo 8: cada uno contra su escena trazada con el oráculo, que la describe aquí por su cuenta,
 // en doble precisión.
-#include "azar.h"
 #include "ch08_oraculo.h"
-#include "ch08_texturas_avanzadas/mapa_cubo.h"
 #include "colores.h"
 #include "contra_oraculo.h"
 #include "guiones.h"
 #include "imagenes.h"
 #include "panel.h"
-#include "rutas.h"
 #include "tabla.h"
 
 using namespace oraculo;

@@ -1,8 +1,6 @@
 // Los efectos del capítulo 9 que tratan cada píxel, contra la CPU en doble precisión. Las imágenes son al azar y de
 // lados que no son múltiplos de 4.
 #include "ch09_paneles.h"
-#include <cstdlib>
-#include <filesystem>
 
 namespace {
 

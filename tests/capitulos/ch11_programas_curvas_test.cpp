@@ -9,7 +9,6 @@
 #include "pintado.h"
 #include "plana.h"
 #include "tabla.h"
-#include "trazo.h"
 
 namespace {
 

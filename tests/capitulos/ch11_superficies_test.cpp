@@ -1,6 +1,5 @@
 // Las superficies del capítulo 11: superficies.h contra la definición en cuádruple precisión, y las de sus programas,
 // trazadas. Lo que pintan encima está en sus .encima.
-#include "ch11_curvas/bezier_trozos.h"
 #include "ch11_curvas/hermite_trozos.h"
 #include "ch11_curvas/lamina.h"
 #include "ch11_referencia.h"

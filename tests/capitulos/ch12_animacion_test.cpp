@@ -4,7 +4,6 @@
 #include "ch12_instante.h"
 #include "ch12_ruido.h"
 #include "colores.h"
-#include "oraculo/oraculo.h"
 #include "panel.h"
 #include "tabla.h"
 #include <tuple>

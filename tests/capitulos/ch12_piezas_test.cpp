@@ -3,7 +3,6 @@
 #include "ch12_instante.h"
 #include "ch12_ruido.h"
 #include "colores.h"
-#include "oraculo/oraculo.h"
 #include "panel.h"
 #include "plana.h"
 

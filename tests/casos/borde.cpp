@@ -6,7 +6,6 @@
 #include "imagen.h"
 #include <algorithm>
 #include <cstdio>
-#include <cstdlib>
 
 static bool esFondo(const unsigned char *rgb) {
     for (const glm::vec3 &fondo : {FONDO_CLARO, FONDO_OSCURO, CIELO, GRIS}) {

@@ -2,12 +2,6 @@
 // vistos desde fuera, con programas enteros.
 #include "ejecuta.h"
 #include "guiones.h"
-#include <algorithm>
-#include <cstdlib>
-#include <filesystem>
-#include <gtest/gtest.h>
-#include <regex>
-#include <sstream>
 #include <sys/resource.h>
 #include <sys/wait.h>
 

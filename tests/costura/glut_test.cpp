@@ -4,14 +4,7 @@
 #include "rutas.h"
 #include <GL/glew.h>
 #include <GL/freeglut.h>
-#include <cstdlib>
-#include <filesystem>
-#include <functional>
-#include <gtest/gtest.h>
-#include <regex>
-#include <sstream>
 #include <unistd.h>
-#include <utility>
 
 using testing::ExitedWithCode;
 

@@ -1,8 +1,6 @@
 // El guion de glut_sin_ventana: lo que entiende, y qué dice de lo que no.
 #include "ejecuta.h"
 #include "glut/sin_ventana/guion.h"
-#include <fstream>
-#include <gtest/gtest.h>
 
 using namespace sin_ventana;
 using testing::ExitedWithCode;

@@ -5,7 +5,6 @@
 #include "ejecuta.h"
 #include <chrono>
 #include <ctime>
-#include <gtest/gtest.h>
 #include <thread>
 
 static void gasta(double ms) {

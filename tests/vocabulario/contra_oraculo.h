@@ -3,7 +3,6 @@
 #include "ejecuta.h"
 #include "malla.h"
 #include "oraculo/oraculo.h"
-#include "prueba.h"
 
 /// Lo que se admite. Con la misma forma que dibuja el programa, en los bordes solo pueden fallar los píxeles cuyo
 /// centro está a menos de 1/512 de uno, que la GPU redondea a una rejilla de 1/256: como la banda mide de 2 a 3

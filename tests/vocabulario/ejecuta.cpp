@@ -1,6 +1,5 @@
 #include "ejecuta.h"
 #include "oraculo/compara.h"
-#include "prueba.h"
 #include <sys/wait.h>
 #include <unistd.h>
 

@@ -1,5 +1,4 @@
 #include "encima.h"
-#include "prueba.h"
 #include <limits>
 
 namespace {

@@ -4,7 +4,6 @@
 #include "azar.h"
 #include "ejecuta.h"
 #include "oraculo/algebra.h"
-#include "prueba.h"
 
 inline bool operator==(const Pixel &a, const Pixel &b) {
     return a.r == b.r && a.g == b.g && a.b == b.b;

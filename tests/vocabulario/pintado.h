@@ -2,7 +2,6 @@
 #pragma once
 #include "contra_oraculo.h"
 #include "oraculo/cobertura.h"
-#include "prueba.h"
 #include "rotulo.h"
 
 /// Lo que cubre de cada píxel una pincelada: cuánto está su centro dentro de ella, y de lo que quizá pinta.

@@ -1,7 +1,6 @@
 // Figuras planas: de qué color debe ser cada píxel de unas piezas pintadas una sobre otra, en doble precisión.
 #pragma once
 #include "contra_oraculo.h"
-#include "prueba.h"
 #include <GL/glew.h>
 
 /// Un polígono convexo, en píxeles desde abajo a la izquierda, de un color; o un triángulo, con uno en cada vértice.

@@ -2,7 +2,6 @@
 // tamaño y, antes de nada, toma el que se pide.
 #pragma once
 #include "ejecuta.h"
-#include "prueba.h"
 
 /// `comprueba(caso, vista)` con cada fila y lo que queda tras su guion.
 template<class Casos, class Comprueba>
