@@ -4,7 +4,6 @@
 #include "colores.h"
 #include "contra_oraculo.h"
 #include "guiones.h"
-#include "mallas.h"
 
 namespace {
 

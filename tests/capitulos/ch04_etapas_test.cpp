@@ -142,7 +142,8 @@ TEST(EtapasPipeline, EsquinasDelCubo) {
         compruebaEsquina(en(VENTANA, esquina), esquina);
     for (const int k : {OBJETO, MUNDO, CAMARA, NDC})
         compruebaEsquina(en(k, 3), 3);
-    compruebaEsquina(elige(panel(OBJETO).lugar(0.1, 0.5)) + "; tecla r ×2", 7);
+    const Hueco h = panel(OBJETO).hueco;
+    compruebaEsquina(elige({h.x + 0.1 * h.ancho, h.y + 0.5 * h.alto}) + "; tecla r ×2", 7);
     compruebaEsquina(en(VENTANA, 3) + "; tecla o", 3, true);
     EXPECT_EQ(ejecuta("etapas_pipeline", arrastra({330, 349}, {380, 320}), 480, 360).salida,
               ejecuta("etapas_pipeline", "", 480, 360).salida);

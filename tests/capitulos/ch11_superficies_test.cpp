@@ -6,7 +6,6 @@
 #include "colores.h"
 #include "contra_oraculo.h"
 #include "guiones.h"
-#include "mallas.h"
 #include "tabla.h"
 
 namespace {
@@ -195,12 +194,25 @@ TEST(Normales, UnitariaAunqueNoHayaSuperficie) {
 
 // ---- superficies.h: triángulos ----
 
-/// Lo más que se separan la superficie y sus triángulos en el mismo (u, v).
-double separacion(Base base, const Geometria2<float> &G, const Segmentos &n) {
-    return separacionMaxima(mallaSuperficie(base, G, n), 6,
-                            [&](unsigned, const glm::dvec3 &p, const glm::dvec2 &uv) {
-                                return glm::distance(p, superficieRef(base, G, uv.x, uv.y));
-                            });
+/// Lo más que se separan la superficie y sus triángulos en el mismo (u, v): en una rejilla de cada uno, de seis puntos
+/// por lado.
+double separacion(Base base, const Geometria2<float> &G, const Segmentos &segmentos) {
+    const Malla m = mallaSuperficie(base, G, segmentos);
+    const int n = 6;
+    double mayor = 0;
+    for (std::size_t t = 0; t < m.indices.size(); t += 3)
+        for (int i = 0; i <= n; ++i)
+            for (int j = 0; i + j <= n; ++j) {
+                glm::dvec3 p(0);
+                glm::dvec2 uv(0);
+                for (const auto &[k, peso] : {std::pair<std::size_t, int>{0, i}, {1, j}, {2, n - i - j}}) {
+                    const Vertice &v = m.vertices[m.indices[t + k]];
+                    p += glm::dvec3(v.posicion) * double(peso) / double(n);
+                    uv += glm::dvec2(v.coordTextura) * double(peso) / double(n);
+                }
+                mayor = std::max(mayor, glm::distance(p, superficieRef(base, G, uv.x, uv.y)));
+            }
+    return mayor;
 }
 
 // Nunca más de la tolerancia, y sin derrochar: con la cuarta parte de los triángulos se pasaría.

@@ -197,7 +197,9 @@ TEST(Temporizador, DisparosDeCadaUno) {
     paraCada("temporizador", casos, 240, 180, [&](const auto &c, const Vista &v) {
         const double desde = std::max(0.0, c.t - 3);
         for (int i = 0; i < 3; ++i) {
-            EXPECT_EQ(v.encima.textos(colores[i]), std::vector<std::string>{std::to_string(c.disparos[i])});
+            const auto esRotulo = [&](const Pintado &p) { return p.tipo == "rotulo" && p.es(colores[i]); };
+            const Encima cuenta = v.encima.los(esRotulo);
+            EXPECT_TRUE(cuenta.size() == 1 && cuenta[0].texto == std::to_string(c.disparos[i])) << i;
             std::vector<glm::dvec2> marcas;
             for (int n = 1; n <= c.disparos[i]; ++n)
                 if (n * periodos[i] >= 1000 * desde)

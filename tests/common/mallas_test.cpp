@@ -1,5 +1,6 @@
 // Las mallas de common/: cerradas, orientadas hacia fuera y con normales unitarias.
-#include "mallas.h"
+#include "malla.h"
+#include "prueba.h"
 
 namespace {
 
@@ -17,6 +18,25 @@ std::vector<std::array<Vertice, 3>> triangulos(const Malla &m) {
 dvec3 area(const std::array<Vertice, 3> &t) {
     const dvec3 a(t[0].posicion);
     return glm::cross(dvec3(t[1].posicion) - a, dvec3(t[2].posicion) - a) / 2.0;
+}
+
+/// Cuántas aristas son de un solo triángulo, soldando los vértices que coinciden bit a bit. Las demás son de dos, que
+/// las recorren en sentidos opuestos.
+int aristasSueltas(const Malla &m) {
+    using Bits = std::array<float, 3>;
+    std::map<std::pair<Bits, Bits>, std::vector<bool>> usos; // y en qué sentido
+    for (std::size_t t = 0; t < m.indices.size(); ++t) {
+        const glm::vec3 p = m.vertices.at(m.indices[t]).posicion + 0.0f, // −0 y +0 son el mismo sitio
+            q = m.vertices.at(m.indices[t % 3 == 2 ? t - 2 : t + 1]).posicion + 0.0f;
+        const Bits a = {p.x, p.y, p.z}, b = {q.x, q.y, q.z};
+        usos[std::minmax(a, b)].push_back(a < b);
+    }
+    int sueltas = 0;
+    for (const auto &[arista, sentidos] : usos) {
+        sueltas += sentidos.size() == 1;
+        EXPECT_TRUE(sentidos.size() == 1 || (sentidos.size() == 2 && sentidos[0] != sentidos[1]));
+    }
+    return sueltas;
 }
 
 } // namespace

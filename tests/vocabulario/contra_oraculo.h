@@ -31,11 +31,6 @@ inline void comprueba(const std::string &que, const Imagen &escena, const oracul
 inline oraculo::Vec3 exacto(const glm::dvec3 &v) {
     return {v.x, v.y, v.z};
 }
-inline glm::dvec2 enPixeles(const oraculo::Camara &camara, const oraculo::Vec3 &p, int ancho = 240,
-                            int alto = 180) {
-    const oraculo::Vec3 v = oraculo::proyecta(camara, ancho, alto, p);
-    return {v.x, v.y};
-}
 
 inline oraculo::Luz posicional(const oraculo::Vec3 &p) {
     oraculo::Luz luz;

@@ -57,13 +57,6 @@ Encima Encima::rotulos(const std::string &texto) const {
     return los([&](const Pintado &p) { return p.tipo == "rotulo" && p.texto == texto; });
 }
 
-std::vector<std::string> Encima::textos(const glm::vec3 &color) const {
-    std::vector<std::string> hallados;
-    for (const Pintado &p : los([&](const Pintado &q) { return q.tipo == "rotulo" && q.es(color); }))
-        hallados.push_back(p.texto);
-    return hallados;
-}
-
 Encima Encima::trazos(const glm::vec3 &color, const std::string &tipo) const {
     return los([&](const Pintado &p) {
         return p.tipo != "rotulo" && p.es(color) && (tipo.empty() || p.tipo == tipo);
@@ -95,7 +88,7 @@ std::vector<Encima> leeEncima(const std::string &fichero) {
     std::vector<Encima> imagenes;
     for (std::string linea; std::getline(entrada, linea);)
         if (linea.rfind("imagen\t", 0) == 0)
-            imagenes.emplace_back().imagen = linea.substr(linea.find('\t') + 1);
+            imagenes.emplace_back();
         else
             imagenes.at(imagenes.size() - 1).push_back(leePintado(linea));
     return imagenes;

@@ -22,13 +22,9 @@ struct Pintado {
 };
 
 struct Encima : std::vector<Pintado> {
-    std::string imagen; // su nombre, ancho y alto, con tabuladores
-
     Encima los(const std::function<bool(const Pintado &)> &queCumplan) const;
     /// Los rótulos con ese texto.
     Encima rotulos(const std::string &texto) const;
-    /// Los textos de los rótulos de ese color, en el orden en que se pintan.
-    std::vector<std::string> textos(const glm::vec3 &color) const;
     /// Los trazos de ese color; con `tipo`, solo los de ese tipo.
     Encima trazos(const glm::vec3 &color, const std::string &tipo = "") const;
     /// Lo que va en el panel cuya esquina está en (x, y).

@@ -35,17 +35,14 @@ struct Panel {
     }
     /// Dónde se ve un punto, en píxeles de la ventana.
     glm::dvec2 operator()(const oraculo::Vec3 &p) const {
-        return glm::dvec2(hueco.x, hueco.y) + enPixeles(camara, p, hueco.ancho, hueco.alto);
+        const oraculo::Vec3 v = oraculo::proyecta(camara, hueco.ancho, hueco.alto, p);
+        return {hueco.x + v.x, hueco.y + v.y};
     }
     std::vector<glm::dvec2> puntos(const Linea &linea) const {
         std::vector<glm::dvec2> enVentana;
         for (const oraculo::Vec3 &p : linea)
             enVentana.push_back((*this)(p));
         return enVentana;
-    }
-    /// Y un lugar del panel: (0, 0) es su esquina de abajo a la izquierda y (1, 1) la contraria.
-    glm::dvec2 lugar(double x, double y) const {
-        return {hueco.x + x * hueco.ancho, hueco.y + y * hueco.alto};
     }
 };
 
