@@ -13,41 +13,21 @@ using namespace oraculo;
 Camara camaraTetera(double gira = 0, double sube = 0, double distancia = 9.5) {
     return perspectiva(orbita(0.22 + gira, 0.38 + sube, distancia, {0.43, 1.42, 0}), 0.55, 0.5, 50);
 }
-/// En los datos la vertical es Z, y en la cámara Y.
-Vec3 enPie(const glm::dvec3 &p) {
-    return {p.x, p.z, -p.y};
-}
-
-const std::vector<Parche> &tetera() {
-    static const std::vector<Parche> parches = leeParches("assets/tetera.txt");
-    return parches;
-}
-
-/// La definición (ch11_referencia.h); u recorre una fila, y v va de una a otra.
-glm::dvec3 exacta(const Parche &q, double u, double v, int du = 0, int dv = 0) {
-    Geometria2<double> G;
-    for (std::size_t k = 0; k < 16; ++k)
-        G[k / 4][k % 4] = q.p[k / 4][k % 4];
-    return superficieRef(Base::BEZIER, G, v, u, dv, du);
-}
 
 // ---- El programa contra un oráculo que no comparte con él ni la evaluación ni la luz ----
 
-// Una rejilla densa de cada parche.
+// Una rejilla densa de cada parche, según su definición (ch11_referencia.h).
 Objeto teteraDensa() {
     std::vector<VerticeRef> vertices;
     std::vector<Triangulos::Indices> indices;
-    const std::size_t N = 96;
-    for (const Parche &q : tetera())
-        for (std::size_t j = 0; j <= N; ++j)
-            for (std::size_t i = 0; i <= N; ++i) {
-                const double u = double(i) / N, v = double(j) / N;
-                const std::size_t k = vertices.size();
-                if (i < N && j < N)
-                    indices.insert(indices.end(), {{k, k + 1, k + N + 2}, {k, k + N + 2, k + N + 1}});
-                const auto suya = [&](double s, double t, int du, int dv) { return exacta(q, s, t, du, dv); };
-                vertices.push_back({enPie(exacta(q, u, v)), enPie(normalDe(suya, u, v))});
-            }
+    for (const Parche &q : leeParches("assets/tetera.txt")) {
+        const auto G = redDe([&](std::size_t i, std::size_t j) { return q.p[i][j]; });
+        const auto Q = [&](double u, double v, int du, int dv) { // u recorre una fila, y v va de una a otra
+            const glm::dvec3 p = superficieRef(Base::BEZIER, G, v, u, dv, du);
+            return glm::dvec3(p.x, p.z, -p.y); // en los datos la vertical es Z, y en la cámara Y
+        };
+        ponSuperficie(vertices, indices, Q, {96, 96});
+    }
     return malla(Mat4(), vertices, indices);
 }
 

@@ -27,14 +27,12 @@ void compruebaMatriz(const glm::dmat4 &M, const Mat4Largo &exacta) {
 // θ/2 es exacto, la tangente de la biblioteca yerra menos de 1 ulp (2 u) y el producto y el cociente 1 u cada uno;
 // la tercera fila, tres redondeos. En total no más de 4 u. Los lados de la paralela se restan sin error.
 TEST(Proyeccion, ContraGlmConMasPrecision) {
-    for (const auto &[theta, aspecto, cerca, lejos] : PERSPECTIVAS) {
+    for (const auto &[theta, aspecto, cerca, lejos] : PERSPECTIVAS)
         compruebaMatriz(proyeccionPerspectiva(theta, aspecto, cerca, lejos),
                         glm::perspective<Largo>(theta, aspecto, cerca, lejos));
-    }
-    for (const auto &[i, d, b, a, cerca, lejos] : PARALELAS) {
+    for (const auto &[i, d, b, a, cerca, lejos] : PARALELAS)
         compruebaMatriz(proyeccionParalela(i, d, b, a, cerca, lejos),
                         glm::ortho<Largo>(i, d, b, a, cerca, lejos));
-    }
 }
 
 // El libro imprime 2/(lejos − cerca) en la ecuación 4.2 y la 4.3 con el signo contrario: de dos puntos que están

@@ -297,8 +297,8 @@ TEST(Pintado, LaListaSobreLaEscena) {
                  {"bspline", "tecla c; tecla k", {640, 480}},
                  {"bspline", "tecla c; tecla n ×8; especial ARRIBA ×4", NORMAL},
                  {"continuidad", "espera 0; tecla 4; tecla t; espera 1100", ALTA},
-                 {"hermite", arrastra({110, 50}, {64, 291}), NORMAL}, // una flecha corta es toda punta
                  {"hermite", "tecla t", ALTA},
+                 {"hermite", arrastra({110, 50}, {64, 291}), NORMAL}, // una flecha corta es toda punta
                  {"superficie_bezier", "tecla n ×6; especial ABAJO ×7", NORMAL}};
     for (const auto &c : casos)
         compruebaPintado(c.programa, c.guion, c.ventana);

@@ -3,6 +3,7 @@
 #pragma once
 #include "azar.h"
 #include "ch11_curvas/superficies.h"
+#include "contra_oraculo.h"
 #include "oraculo/cuadruple.h"
 
 /// Tantos redondeos de T; de la cuádruple, el doble, que la referencia también redondea.
@@ -53,6 +54,15 @@ double lejos(const Punto<T> &a, const Punto<R> &b) {
     return glm::length(glm::dvec3(Punto<Cuadruple>(a) - Punto<Cuadruple>(b)));
 }
 
+/// La red que en la fila i y la columna j tiene punto(i, j).
+template<typename T = double, typename Da>
+Geometria2<T> redDe(const Da &punto) {
+    Geometria2<T> G;
+    for (std::size_t k = 0; k < 16; ++k)
+        G[k / 4][k % 4] = Punto<T>(punto(k / 4, k % 4));
+    return G;
+}
+
 /// Con cada coordenada entre −1 y 1, de diez cifras binarias: las mismas en todas las precisiones.
 template<typename T>
 std::vector<Punto<T>> puntosAlAzar(std::size_t n, unsigned semilla = 11) {
@@ -66,9 +76,7 @@ std::vector<Punto<T>> puntosAlAzar(std::size_t n, unsigned semilla = 11) {
 template<typename T>
 Geometria2<T> redAlAzar(unsigned semilla = 11) {
     const auto P = puntosAlAzar<T>(16, semilla);
-    Geometria2<T> G;
-    std::copy(P.begin(), P.end(), &G[0][0]);
-    return G;
+    return redDe<T>([&](std::size_t i, std::size_t j) { return P[4 * i + j]; });
 }
 
 /// Los polinomios de Bernstein (ecuación 11.20), con C(n, k) exacto mientras quepa en R; o su derivada `d`, con los de
@@ -116,4 +124,19 @@ Punto<R> normalDe(const Derivada &Q, const R &u, const R &v) {
             break;
     }
     return (R(1) / largo(n)) * n;
+}
+
+/// Añade a una malla la superficie Q(u, v, du, dv), en tantos trozos y con su normal exacta.
+template<typename Superficie>
+void ponSuperficie(std::vector<oraculo::VerticeRef> &vertices,
+                   std::vector<oraculo::Triangulos::Indices> &indices, const Superficie &Q,
+                   const Segmentos &n) {
+    for (int i = 0; i <= n.u; ++i)
+        for (int j = 0; j <= n.v; ++j) {
+            const double u = double(i) / n.u, v = double(j) / n.v;
+            const std::size_t a = vertices.size(), b = a + std::size_t(n.v) + 1;
+            vertices.push_back({exacto(Q(u, v, 0, 0)), exacto(normalDe(Q, u, v))});
+            if (i < n.u && j < n.v)
+                indices.insert(indices.end(), {{a, b, b + 1}, {a, b + 1, a + 1}});
+        }
 }

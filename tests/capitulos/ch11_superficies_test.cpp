@@ -25,28 +25,21 @@ double peor(const Error &error, const std::vector<double> &parametros = PARAMETR
 /// La misma red en otra precisión.
 template<typename T>
 Geometria2<T> lleva(const Geometria2<double> &G) {
-    Geometria2<T> r;
-    for (std::size_t k = 0; k < 16; ++k)
-        r[k / 4][k % 4] = Punto<T>(G[k / 4][k % 4]);
-    return r;
+    return redDe<T>([&](std::size_t i, std::size_t j) { return G[i][j]; });
 }
 
 /// Una red con un poco de forma y sus puntos de Bézier en (i, f, j), de esa talla y en ese sitio.
 Geometria2<double> loma(double talla = 1, const glm::dvec3 &sitio = glm::dvec3(0)) {
     const double y[] = {0, 1, 0.5, -0.5, 0.5, 1.5, 0, 0, 0, -0.5, -1, 0.5, -0.5, 0, 0.5, 1};
-    Geometria2<double> G;
-    for (std::size_t k = 0; k < 16; ++k)
-        G[k / 4][k % 4] = talla * glm::dvec3(double(k / 4), y[k], -double(k % 4)) + sitio;
-    return G;
+    return redDe([&](std::size_t i, std::size_t j) {
+        return talla * glm::dvec3(double(i), y[4 * i + j], -double(j)) + sitio;
+    });
 }
 
 /// Los 16 puntos de una red de n×n que empiezan en una fila y una columna.
 using Red = std::vector<glm::dvec3>;
 Geometria2<double> trozoDe(const Red &P, std::size_t n, std::size_t i, std::size_t j) {
-    Geometria2<double> G;
-    for (std::size_t k = 0; k < 16; ++k)
-        G[k / 4][k % 4] = P[n * (i + k / 4) + j + k % 4];
-    return G;
+    return redDe([&](std::size_t fila, std::size_t columna) { return P[n * (i + fila) + j + columna]; });
 }
 
 // ---- superficies.h: puntos y derivadas ----
@@ -182,9 +175,9 @@ TEST(Normales, UnBordeColapsadoLaTiene) {
 // Un trozo que es un punto o una recta no tiene normal, pero se da una.
 TEST(Normales, UnitariaAunqueNoHayaSuperficie) {
     for (const float largo : {0.0f, 1.0f}) {
-        Geometria2<float> G;
-        for (std::size_t k = 0; k < 16; ++k)
-            G[k / 4][k % 4] = largo * Punto<float>(float(k / 4 + k % 4)) + Punto<float>(1, 2, 3);
+        const auto G = redDe<float>([&](std::size_t i, std::size_t j) {
+            return largo * Punto<float>(float(i + j)) + Punto<float>(1, 2, 3);
+        });
         const auto falta = [&](double u, double v) {
             return std::fabs(glm::length(normalSuperficie(Base::BEZIER, G, float(u), float(v))) - 1);
         };
@@ -261,17 +254,9 @@ oraculo::ImagenRef referencia(const oraculo::Camara &c, const std::vector<Trozo>
                               const glm::ivec2 &ventana = NORMAL) {
     oraculo::Escena objetos;
     for (const Trozo &t : trozos) {
-        const auto n = std::size_t(t.n.u), m = std::size_t(t.n.v);
         std::vector<oraculo::VerticeRef> vertices;
         std::vector<oraculo::Triangulos::Indices> indices;
-        for (std::size_t i = 0; i <= n; ++i)
-            for (std::size_t j = 0; j <= m; ++j) {
-                const double u = double(i) / double(n), v = double(j) / double(m);
-                const std::size_t a = i * (m + 1) + j, b = a + m + 1;
-                vertices.push_back({exacto(t.Q(u, v, 0, 0)), exacto(normalDe(t.Q, u, v))});
-                if (i < n && j < m)
-                    indices.insert(indices.end(), {{a, b, b + 1}, {a, b + 1, a + 1}});
-            }
+        ponSuperficie(vertices, indices, t.Q, t.n);
         objetos.push_back(oraculo::malla(oraculo::Mat4(), vertices, indices));
     }
     return oraculo::render(objetos, c, ventana.x, ventana.y, [&](const oraculo::Impacto &i) {
@@ -394,9 +379,8 @@ TEST(SuperficieBSpline, PixelAPixel) {
 
 /// Las filas de `elementos`, que son puntos y vectores; con k, también el segundo trozo, unido al primero.
 std::vector<Trozo> hermite(const Red &elementos, double k = 0) {
-    Geometria2<double> A, B;
-    for (std::size_t i = 0; i < 16; ++i)
-        A[i / 4][i % 4] = elementos[i];
+    const Geometria2<double> A = trozoDe(elementos, 4, 0, 0);
+    Geometria2<double> B;
     for (std::size_t j = 0; j < 4; ++j) {
         B[0][j] = A[1][j];
         B[1][j] = elementos[16 + j];

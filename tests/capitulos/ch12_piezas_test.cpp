@@ -128,6 +128,8 @@ TEST(Particulas, CadaUnaContraSuFormaCerrada) {
 
 // --- Mosaico y banderas ---
 
+const double INICIO = 2; // los segundos andados con que se abren
+
 /// De 0 (aún no ha nacido, o ya ha muerto) a 1: nacen entre 0 y 3.5 s y mueren entre 6 y 9.5.
 double crecida(int i, double t) {
     const auto n = 2 * std::uint32_t(i);
@@ -138,10 +140,6 @@ double crecida(int i, double t) {
 glm::dvec3 vaivenDe(int c, int f, double t) {
     static const TexturaDeRuido ruido;
     return 2.0 * ruido(0.08 * c + t / 2, 0.08 * f + t / 2) - 1.0;
-}
-/// Los dos programas se abren con dos segundos andados.
-std::string enSegundo(double t) {
-    return instante(t, 2);
 }
 glm::dvec2 girado(const glm::dvec2 &v, double a) {
     return {std::cos(a) * v.x - std::sin(a) * v.y, std::sin(a) * v.x + std::cos(a) * v.y};
@@ -179,7 +177,7 @@ TEST(Mosaico, CadaTeselaVivaEstaEnSuSitio) {
             if (lado > 0)
                 teselas.push_back(tesela);
         }
-        const Vista v = vistaDe("mosaico", enSegundo(t));
+        const Vista v = vistaDe("mosaico", instante(t, INICIO));
         compruebaPlana("t = " + conDosCifras(t), v.escena, teselas, exacto(FONDO_CLARO));
     }
 }
@@ -226,7 +224,7 @@ TEST(Banderas, CadaUnaConSuAstaEnSuSitio) {
                                 0.7 * va.x,
                                 6 * va.y});
         }
-        const Vista v = vistaDe("banderas", enSegundo(t), 480, 360);
+        const Vista v = vistaDe("banderas", instante(t, INICIO), 480, 360);
         comprueba("t = " + conDosCifras(t), compara(v.escena, grada, camara, [&](const Impacto &i) {
                       Tono tono = i ? Tono(luzFija(i.normal) * Vec3{0.66, 0.68, 0.72}) : Tono(exacto(CIELO));
                       double distancia = i ? i.distancia : INFINITO;
