@@ -87,7 +87,7 @@ test('cada tecla es de quien tiene el foco o, si el programa la usa, suya; con C
     const mandos = [{ teclas: [['d', 'tecla d'], ['Espacio', 'tecla Espacio'], ['←', 'especial IZQUIERDA']] }];
     const ORDENES = { d: 'tecla d', ' ': 'tecla Espacio', ArrowLeft: 'especial IZQUIERDA', ArrowDown: 'especial ABAJO',
       z: 'tecla z', Enter: 'tecla Intro', Escape: 'tecla Esc', F1: 'especial F1', F5: 'especial F5',
-      F11: 'especial F11', Tab: '', F12: '' };
+      F10: 'especial F10', Tab: '', F12: '' };
     let programa;
     pagina.body = new Elemento();
     pagina.querySelector = (antes => que => que === '.apunta' ? undefined : antes(que))(pagina.querySelector);
@@ -99,7 +99,7 @@ test('cada tecla es de quien tiene el foco o, si el programa la usa, suya; con C
       const conAlt = con === 'altKey' && foco === 'canvas' && key.length === 1; // con AltGr se escribe, y es suya
       const orden = con && !conAlt ? '' : ORDENES[key];
       programa = azar(9) ? { mandos, cualquiera } : undefined;
-      const loUsa = /^(Escape|F\d)$/.test(key) ? foco === 'canvas' : cualquiera || 'd ArrowLeft'.includes(key);
+      const loUsa = /^(Escape|F\d+)$/.test(key) ? foco === 'canvas' : cualquiera || 'd ArrowLeft'.includes(key);
       const loPulsa = /^(button|a|summary)$/.test(foco) && /^( |Enter)$/.test(key);
       const suya = programa && orden && loUsa && !loPulsa && !/select|input|editor|opciones/.test(foco);
       const quedada = !pagina.pasa('keydown', { key, target, [con]: true, getModifierState: () => false });
