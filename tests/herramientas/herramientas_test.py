@@ -464,6 +464,7 @@ def test_un_shader_es_de_la_carpeta_en_que_se_busca_antes(tmp_path, monkeypatch)
     raices = [tmp_path / quien for quien in "abc"]
     for ultima in raices:
         siembra(ultima, {f"{ultima.name}.frag": "void main() {}\n"})
+        (ultima / "de_otro_editor.frag").write_bytes(b"// Latin-1: \xe1\n")
         monkeypatch.setenv("LAB_RAIZ", ":".join(map(str, raices[:-1])))
         assert de_shaders.reconoce(raices[-1], [{"programa": 1, "frag": "void main() {}\n"}]) == {1: "a.frag"}
 

@@ -154,6 +154,8 @@ def test_un_programa_mas(lab):
     lab("ver E1.2", 0, "lo he dibujado en nuevo.png")
     lab.cambia("ch01_intro/nuevo.cpp", "^// Controles: .*", "// Controles: k mueve algo.")
     lab("ver E1.2")
+    lab("nuevo shader_basico mio")
+    lab("ver mios/mio", 0, "lo he dibujado en mio.png")
     assert "mueve algo" in (lab.raiz / "build/controles/nuevo.cpp").read_text()
 
 
