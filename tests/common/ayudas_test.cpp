@@ -8,6 +8,7 @@
 #include "prueba.h"
 #include "recuadro.h"
 #include "rotulo.h"
+#include "trazo.h"
 #include "ventana.h"
 // después de glew.h
 #include "glut/sin_ventana/glut_sin_ventana.h"
@@ -146,6 +147,20 @@ TEST_F(Ayudas, LoQueNoCabeSeEncoge) {
         for (int i = 0; i < 480; ++i)
             for (const glm::ivec2 &p : {glm::ivec2(i, 0), {i, 359}, {0, i % 360}, {479, i % 360}})
                 ASSERT_EQ(color(imagen, p.x, p.y), glm::ivec3(255)) << p.x << ", " << p.y << ": " << texto;
+    }
+}
+
+// Ni dónde empieza ni dónde acaba se nota.
+TEST_F(Ayudas, UnaPolilineaCerradaEsLaMismaDesdeCadaVertice) {
+    std::vector<glm::vec3> puntos = {
+        {-0.6f, -0.5f, 0}, {0.5f, -0.7f, 0}, {0.1f, 0, 0}, {0.7f, 0.6f, 0}, {-0.5f, 0.5f, 0}};
+    const auto pintada = [&] {
+        return pinta([&] { trazaPolilinea(puntos, glm::mat4(1), ROJO, 5 * GROSOR, true); }).rgb;
+    };
+    const auto desdeElPrimero = pintada();
+    for (std::size_t i = 1; i < puntos.size(); ++i) {
+        std::rotate(puntos.begin(), puntos.begin() + 1, puntos.end());
+        EXPECT_TRUE(pintada() == desdeElPrimero) << i;
     }
 }
 

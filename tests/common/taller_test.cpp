@@ -137,9 +137,11 @@ void main() {
     gl_Position = vec4(posicion.x - 0.5, 2.0 * posicion.y, 0.0, 1.0);
 }
 )"}};
-    Ficheros deMac = dosVeces;
+    Ficheros deMac = dosVeces, deWindows;
+    for (const auto &[nombre, texto] : dosVeces)
+        deWindows[nombre] = std::regex_replace(texto, std::regex("\n"), "\r\n");
     std::replace(deMac["a.frag"].begin(), deMac["a.frag"].end(), '\n', '\r');
-    for (const Ficheros &cambios : {dosVeces, conNormal, deMac}) {
+    for (const Ficheros &cambios : {dosVeces, conNormal, deMac, deWindows}) {
         const Ejecucion e = taller({version("vec4(st, 0, 1)", AZUL, cambios)});
         EXPECT_EQ(e.errores, "");
         EXPECT_EQ(mitades(e.imagen), "verde azul");
