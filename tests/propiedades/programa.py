@@ -189,7 +189,7 @@ def arrastre(x0, y0, x1, y1, boton="IZQUIERDO", pasos=1):
     ]
 
 
-CONTRARIAS = [set(par.split()) for par in ("+ -", "a d", "q e", "w s", ", .", "u U", "i o")]
+CONTRARIAS = [set(par.split()) for par in ("+ -", "a d", "q e", "w s", ", .", "u U", "i o", "w x", "b n")]
 
 
 def parecidas(una, otra):
