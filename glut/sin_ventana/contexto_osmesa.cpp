@@ -1,6 +1,6 @@
 // Contexto sobre OSMesa: Mesa dibuja en la memoria del programa, sin servidor gráfico ni dispositivo.
-#include "error.h"
 #include "contexto.h"
+#include "error.h"
 #include <algorithm>
 #include <cstdlib>
 #include <string_view>
