@@ -1,8 +1,8 @@
 // Contexto WebGL 2 en el elemento <canvas> de la página, que es la ventana. `Module` es la instancia del laboratorio
 // que la página ha creado para este programa: en Module.canvas está el elemento y con Module.titulo se le dice el
 // título.
-#include "error.h"
 #include "contexto.h"
+#include "error.h"
 #include <emscripten.h>
 #include <emscripten/html5.h>
 

@@ -202,7 +202,8 @@ Talla tallaDe(const std::string &texto, const std::string &lugar) {
 Punto ratonEn(const Orden &orden, Talla ventana) {
     if (orden.escala.ancho == 0)
         return orden.raton;
-    const double k = altoUtilDe(ventana.ancho, ventana.alto) / altoUtilDe(orden.escala.ancho, orden.escala.alto);
+    const double k =
+        altoUtilDe(ventana.ancho, ventana.alto) / altoUtilDe(orden.escala.ancho, orden.escala.alto);
     const auto pixel = [&](int coordenada, int enEscala, int enVentana) {
         const double p = std::round(enVentana / 2.0 + (coordenada - enEscala / 2.0) * k);
         return int(std::clamp(p, -double(COORDENADA_MAXIMA), double(COORDENADA_MAXIMA)));
