@@ -12,6 +12,9 @@ namespace {
 
 using namespace oraculo;
 
+const Vec3 FONDO{0.95, 0.96, 0.98}, ANARANJADO{0.95, 0.55, 0.10}, AMARILLENTO{0.98, 0.78, 0.15},
+    GRISACEO{0.55, 0.58, 0.62}, MORADUZCO{0.56, 0.24, 0.66};
+
 /// De cómo se llega a una vista: lo que se hace y lo que con eso gira la cámara, 1.8 radianes por alto.
 struct Mirada {
     std::string guion;
@@ -75,7 +78,7 @@ TEST(ProgramaBasicas, LaFEstaDondeDicenLasEcuaciones) {
     paraCada("basicas", casos, 240, 180, [](const auto &caso, const Vista &v) {
         std::vector<Cuerpo> cuerpos;
         for (const Objeto &caja : efe(basica(caso.cual, caso.valor)))
-            cuerpos.push_back({caja, exacto(NARANJA)});
+            cuerpos.push_back({caja, ANARANJADO});
         compruebaEscena(v, ventana(v, {0.55, 9, {0.3, -0.05, 0}}), cuerpos, FONDO_CLARO);
     });
 }
@@ -113,8 +116,8 @@ TEST(Escalado, CarasYDeterminanteEnCadaVista) {
                           perspectiva(orbita(vista.azimut, 0.25, 10, exacto(centro)), 2 * std::atan(semilado),
                                       1, 100),
                           [&](const Impacto &impacto) {
-                              const Vec3 color = exacto(impacto.frente == espejo ? MORADO : AMARILLO);
-                              return impacto ? luzFija(impacto.normal) * color : exacto(FONDO_CLARO);
+                              const Vec3 &color = impacto.frente == espejo ? MORADUZCO : AMARILLENTO;
+                              return impacto ? luzFija(impacto.normal) * color : FONDO;
                           },
                           1),
                       EXACTA);
@@ -126,9 +129,9 @@ TEST(Escalado, CarasYDeterminanteEnCadaVista) {
 
 // Cada centro sube medio lado del anterior más medio del suyo.
 TEST(TresCubos, ImagenContraTrazadoDeRayos) {
-    const std::vector<Cuerpo> cubos = {{caja(Mat4()), exacto(GRIS)},
-                                       {caja(traslada({0, 0.75, 0}) * escala(0.5)), exacto(NARANJA)},
-                                       {caja(traslada({0, 1.125, 0}) * escala(0.25)), exacto(AMARILLO)}};
+    const std::vector<Cuerpo> cubos = {{caja(Mat4()), GRISACEO},
+                                       {caja(traslada({0, 0.75, 0}) * escala(0.5)), ANARANJADO},
+                                       {caja(traslada({0, 1.125, 0}) * escala(0.25)), AMARILLENTO}};
     paraCada("tres_cubos", MIRADAS, 240, 180, [&](const Mirada &mirada, const Vista &v) {
         compruebaEscena(v, ventana(v, {0.55, 5.6, {0.15, 0.38, 0}}, mirada), cubos, FONDO_CLARO);
     });
@@ -147,9 +150,8 @@ const double DESVIO_DEL_SOLIDO = std::sqrt(2.0) * (1.0 / 12 + 1.0 / 256);
 /// El sólido exacto, solo su silueta, y la misma malla, cada píxel.
 void compruebaSolidos(const Imagen &escena, const Escena &exactos, const std::vector<Cuerpo> &mallas,
                       const Camara &camara) {
-    comprueba("silueta", comparaSilueta(escena, exacto(FONDO_CLARO), exactos, camara),
-              {0, 0, DESVIO_DEL_SOLIDO});
-    comprueba("malla", comparaConLuzFija(escena, mallas, camara, exacto(FONDO_CLARO)), EXACTA);
+    comprueba("silueta", comparaSilueta(escena, FONDO, exactos, camara), {0, 0, DESVIO_DEL_SOLIDO});
+    comprueba("malla", comparaConLuzFija(escena, mallas, camara, FONDO), EXACTA);
 }
 
 struct Solido {
@@ -167,7 +169,7 @@ void compruebaPasos(const std::string &programa, const Encuadre &encuadre, const
         std::size_t paso = 0;
         for (const Vista &v : vistasDe(programa, guiones)) {
             SCOPED_TRACE(programa + ", paso " + std::to_string(paso));
-            compruebaSolidos(v.escena, {solido.exacto(M)}, {{malla(M, solido.malla), exacto(NARANJA)}},
+            compruebaSolidos(v.escena, {solido.exacto(M)}, {{malla(M, solido.malla), ANARANJADO}},
                              ventana(v, encuadre, mirada).camara);
             if (paso < pasos.size())
                 M = pasos[paso++] * M;
@@ -201,7 +203,7 @@ TEST(Orden, DiscosEnLaImagen) {
             const double semialto = 21 * std::max(double(alto) / ancho, 3 / 8.0);
             const Mat4 M = fila == 0 ? T * S : S * T;
             compruebaSolidos(recorta(v.escena, panel), {esfera(M), esfera(Mat4())},
-                             {{malla(M, bola), exacto(NARANJA)}, {malla(Mat4(), bola), exacto(GRIS)}},
+                             {{malla(M, bola), ANARANJADO}, {malla(Mat4(), bola), GRISACEO}},
                              paralela(orbita(mirada.azimut, 0.3 + mirada.elevacion, 21, {13.8, -1.4, 0}),
                                       semialto * altoUtil(ancho, alto) / alto, -100, 200));
         }

@@ -8,7 +8,17 @@ namespace {
 
 using namespace oraculo;
 
-const Vec3 SITIO{-1.1, 0.2, 1.2}; // el del avión sin girar
+const Vec3 FONDO{0.95, 0.96, 0.98}, SITIO{-1.1, 0.2, 1.2}; // el del avión sin girar
+
+void ponAvion(std::vector<Cuerpo> &cuerpos, const Mat4 &M, double viveza) {
+    const Vec3 naranja{0.95, 0.55, 0.10}, amarillo{0.98, 0.78, 0.15}, rojo{0.85, 0.20, 0.18};
+    const Vec3 piezas[][3] = {{{0, 0, 0}, {1.1, 0.22, 0.22}, naranja},
+                              {{0.1, 0, 0}, {0.32, 0.08, 1.3}, amarillo},
+                              {{-0.45, 0, 0}, {0.18, 0.06, 0.5}, amarillo},
+                              {{-0.42, 0.22, 0}, {0.2, 0.34, 0.07}, rojo}};
+    for (const auto &[centro, lados, color] : piezas)
+        cuerpos.push_back({caja(M * traslada(centro) * escala(lados)), FONDO + viveza * (color - FONDO)});
+}
 
 } // namespace
 

@@ -44,6 +44,10 @@ TEST(Desvanecer, MezclaExacta) {
 
 // El avión, con M(t) aplicada aquí; y sus estelas, cada una delante de las anteriores.
 TEST(ObjetoAnimado, LaMatrizDeCadaInstante) {
+    const Vec3 piezas[][3] = {{{0, 0, 0}, {1.1, 0.22, 0.22}, exacto(NARANJA)},
+                              {{0.1, 0, 0}, {0.32, 0.08, 1.3}, exacto(AMARILLO)},
+                              {{-0.45, 0, 0}, {0.18, 0.06, 0.5}, exacto(AMARILLO)},
+                              {{-0.42, 0.22, 0}, {0.2, 0.34, 0.07}, exacto(ROJO)}};
     const auto matrizEn = [](int modo, double t) {
         const double a = 2 * PI * t / 6;
         return modo == 0   ? traslada({std::cos(a), 0, -std::sin(a)})
@@ -63,7 +67,9 @@ TEST(ObjetoAnimado, LaMatrizDeCadaInstante) {
                 const double palidez = k ? 0.5 + 0.12 * k : 0, lejos = std::pow(4, k);
                 const Mat4 M = traslada(camara.ojo) * escala(lejos * Vec3{1, 1, 1}) *
                                traslada(-1 * camara.ojo) * matrizEn(modo, t - 0.35 * k);
-                ponAvion(cuerpos, M, 1 - palidez);
+                for (const auto &[centro, lados, color] : piezas)
+                    cuerpos.push_back({caja(M * traslada(centro) * escala(lados)),
+                                       (1 - palidez) * color + palidez * exacto(FONDO_CLARO)});
             }
             compruebaEscena(v, Panel(camara, v.escena), cuerpos, FONDO_CLARO);
         }

@@ -1,6 +1,5 @@
 // Lo que se ve del mundo por un panel de la ventana: la escena trazada y la lista de lo que se pinta encima.
 #pragma once
-#include "colores.h"
 #include "contra_oraculo.h"
 
 /// Con la misma malla y la misma luz solo se pierde el redondeo a 8 bits. En los bordes, la GPU lleva cada vértice a la
@@ -64,19 +63,6 @@ inline Malla porCaras(const Malla &m) {
         suelta.vertices.push_back(m.vertices[i]);
     }
     return suelta;
-}
-
-/// El avión de giro_eje y de objeto_animado, con sus colores más o menos vivos: con 0, el del fondo.
-inline void ponAvion(std::vector<Cuerpo> &cuerpos, const oraculo::Mat4 &M, double viveza) {
-    const oraculo::Vec3 fondo = exacto(FONDO_CLARO),
-                        piezas[][3] = {
-                            {{0, 0, 0}, {1.1, 0.22, 0.22}, exacto(NARANJA)}, // centro, lados y color
-                            {{0.1, 0, 0}, {0.32, 0.08, 1.3}, exacto(AMARILLO)},
-                            {{-0.45, 0, 0}, {0.18, 0.06, 0.5}, exacto(AMARILLO)},
-                            {{-0.42, 0.22, 0}, {0.2, 0.34, 0.07}, exacto(ROJO)}};
-    for (const auto &[centro, lados, color] : piezas)
-        cuerpos.push_back(
-            {caja(M * oraculo::traslada(centro) * oraculo::escala(lados)), mezcla(fondo, color, viveza)});
 }
 
 /// Compara un panel con la escena trazada con la luz fija.
