@@ -263,7 +263,7 @@ class Persona {
     }), []);
   }
 
-  /// Nada se sale, ni con el texto del navegador al doble, que es lo que cambia quien ve poco; y lo sangrado lo está.
+  /// Nada se sale ni se ve lo escondido, ni con el texto al doble, como lo pone quien ve poco; y lo sangrado lo está.
   async nadaSeSale(que = '') {
     for (const [texto, debe] of [['200%', '32px'], ['100%', '16px']]) {
       const [letra, mal, pegado] = await this.da(texto => {

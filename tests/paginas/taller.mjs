@@ -77,8 +77,7 @@ const uso = {
     await p.esParaTodos();
     for (const enlace of ['#camara', '#grua;tecla d ×2;tecla w']) {
       await p.va(enlace);
-      await p.acaba(enlace, enlace => enlace.startsWith(`#${visto.programa.nombre}`) && sesion?.vivo && editor.ruta,
-        enlace);
+      await p.acaba(enlace, de => de.startsWith(`#${visto.programa.nombre}`) && sesion?.vivo && editor.ruta, enlace);
       await p.exige('lo dicho era de lo que se ha dejado', () => !una('.mensaje-malo, .linea-mala'));
     }
     await cambia(p, 'ponFondo(rojo)', 'ponFondo(CIELO)');

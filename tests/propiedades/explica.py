@@ -123,13 +123,14 @@ def quien_gana(historia, lienzo=0):
 def fallos_de_lo_que_falta(suceso, canales):
     """Sin lo primero que no pasa se vería si pasa lo demás, y la plantilla y la profundidad se pueden comparar; de lo
     que el shader descarta no se sabe la suya, pero de lo que nada tiene detrás, que está delante."""
-    pruebas = [*("cara", "descartado", "plantilla", "profundidad")]
+    pruebas = "cara", "descartado", "plantilla", "profundidad"
     veredicto, suya, habia = (suceso.get(cual) for cual in ("veredicto", "profundidad", "profundidadAntes"))
     suya = suya if suya is not None or habia != 1 else 0.5
     if veredicto not in pruebas or "profundidadPide" in suceso and (None in (suya, habia) or abs(suya - habia) < CASI):
         return
-    pasa = {"profundidad": "profundidadPide" not in suceso or COMPARA[suceso["profundidadPide"]](suya, habia)}
-    pasa["descartado"] = "color" in suceso
+    pasa = {"descartado": "color" in suceso}
+    if "profundidadPide" in suceso:
+        pasa["profundidad"] = COMPARA[suceso["profundidadPide"]](suya, habia)
     if "plantillaPide" in suceso:
         funcion, referencia = suceso["plantillaPide"].split()
         pasa["plantilla"] = COMPARA[funcion](int(referencia), suceso["plantillaAntes"])

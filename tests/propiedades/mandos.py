@@ -11,8 +11,8 @@ DE_TODOS = 6  # teclas que dice -ayuda de todos los programas
 LETRA = 23  # alto de las mayúsculas de F1 en 720 píxeles
 LEJOS = 40, 300  # veces que se pulsa una tecla para llegar a su límite: si no bastan las primeras, las otras
 VUELTAS = 6  # un modo de tres, dos veces
-GOLDEN = Path(__file__).parents[1] / "golden/topes.tsv"  # lo que dice el título en cada límite
-TOPES = GOLDEN.read_text().splitlines()
+GOLDEN = Path(__file__).parents[1] / "golden/topes.tsv"
+TOPES = dict(fila.rsplit("\t", 1) for fila in GOLDEN.read_text().splitlines())  # lo que dice el título en cada límite
 PIXELES = (0, 0), (60, 45), (119, 89), (31, 70)
 
 
@@ -83,8 +83,8 @@ def limites(p):
         yield from arriba.mal(mas, menos)
         yield from abajo.mal(menos, mas)
         for hacia, extremo in (mas, arriba), (menos, abajo):
-            if extremo.es_limite and f"{p.nombre}\t{hacia}\t{extremo.alli[1]}" not in TOPES:
-                yield hacia, f"el límite de «{hacia}», si es el que debe, va en {GOLDEN.name}: «{extremo.alli[1]}»"
+            if (suyo := extremo.alli[1] if extremo.es_limite else None) != TOPES.get(f"{p.nombre}\t{hacia}"):
+                yield hacia, f"el límite de «{hacia}» no es el de {GOLDEN.name}, sino «{suyo}»"
         if arriba.es_limite and abajo.es_limite and otra_vez_arriba != (arriba.alli, arriba.de_vuelta):
             yield mas, f"de un límite al otro de «{mas}» y «{menos}» no se llega donde se estaba"
 
