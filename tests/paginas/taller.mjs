@@ -78,7 +78,7 @@ const uso = {
     for (const enlace of ['#camara', '#grua;tecla d ×2;tecla w']) {
       await p.va(enlace);
       await p.acaba(enlace, de => de.startsWith(`#${visto.programa.nombre}`) && sesion?.vivo && editor.ruta, enlace);
-      await p.exige('lo dicho era de lo que se ha dejado', () => !una('.mensaje-malo, .linea-mala'));
+      await p.exige('lo dicho era de lo que se ha dejado', () => !una('.mensaje-malo, .linea-mala, .fichero-estado.mal'));
     }
     await cambia(p, 'ponFondo(rojo)', 'ponFondo(CIELO)');
     assert.deepEqual(await p.imagen(), antes, 'y como estaba');
