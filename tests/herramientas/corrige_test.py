@@ -201,8 +201,9 @@ HECHOS = {  # un hueco, y lo que vale, que de tres guiones se ve en uno
 }
 
 
-def por_piezas(carpeta, entregado, huecos=50, pesos="iguales"):
-    """La corrección de esos tres huecos, en un mundo en que el guion i solo ve el i. Lo que usa() está fuera."""
+def por_piezas(carpeta, entregado, huecos=50, pesos="iguales", piezas={}):
+    """La corrección de esos tres huecos, en un mundo en que el guion i solo ve el i. Lo que usa() está fuera. Todas
+    las de una clase comparten lo que se recuerda de cada pieza."""
     solucion = marcado(*["// de partida: // nada\nbien;"] * 3)
     trozos = [("p.cpp", t) for t in marcas.TROZO.finditer(solucion)]
     jugador = lambda textos, c: partidas.Jugador("", None, [c / "fuentes"], {"es": textos}, True, ["p.cpp"])
@@ -217,11 +218,12 @@ def por_piezas(carpeta, entregado, huecos=50, pesos="iguales"):
         texto = injerto.texto_de(suyo.entorno["es"]["p.cpp"])
         hecho = next((t["hecho"] for t in marcas.TROZO.finditer(texto) if t["pide"].endswith(guion.nombre)), "")
         hecho = hecho.replace("// de partida: // nada\n", "").replace("    // de partida: // nada\n", "")
-        return partida(1 if "bien" in hecho else 2 if "nada" in hecho else 3)
+        bien = "bien" in hecho and not ("usa" in hecho and "void usa(al revés)" in texto)
+        return partida(1 if bien else 2 if "nada" in hecho else 3)
 
     arbitro = SimpleNamespace(juega=juega, parecido=lambda una, otra: BIEN * (una == otra))
     arbitro.difiere = lambda *p: Arbitro.difiere(arbitro, *p)
-    comun = {"ref": REF, "sin_solucion": "", "sin_hacer": lambda: None, "piezas": {}, "temporal": carpeta}
+    comun = {"ref": REF, "sin_solucion": "", "sin_hacer": lambda: None, "piezas": piezas, "temporal": carpeta}
     banco = SimpleNamespace(**comun, arbitro=arbitro, reglas=Reglas(huecos=huecos, pesos=pesos))
     banco.todos = [Guion(str(i), ()) for i in range(3)]
     banco.motivos = SimpleNamespace(trozos=lambda: trozos, textos=lambda: {"p.cpp": solucion}, limpio=lambda t: t)
@@ -252,6 +254,8 @@ def test_cada_pieza_vale_lo_que_saca_sola(tmp_path):
     otro_orden = "int main() {\n" + "".join(t[0] for t in [*marcas.TROZO.finditer(mal)][::-1]).replace("    //", "\t//")
     for escrito in (mal, otro_orden, mal.replace("\n", "\r\n")):
         assert [p["nota"] for p in por_piezas(tmp_path, escrito)["piezas"]] == [66.7, 100, 0]
+    de_otra = por_piezas(tmp_path, marcado("usa(bien);", "mal;", "bien;", fuera="void usa(al revés);"))
+    assert [p["nota"] for p in de_otra["piezas"]] == [66.7, 66.7, 100]
     assert por_piezas(tmp_path, mal, pesos="0 1 0")["nota"] == round(50 / 3 + 50, 1)
     assert por_piezas(tmp_path, mal, huecos=0)["nota"] == 33.3
     assert por_piezas(tmp_path, mal, huecos=100)["nota"] == round(500 / 9, 1)
@@ -637,9 +641,9 @@ def test_una_entrega_tan_lenta_como_la_solucion_acaba(tmp_path):
 
 
 def test_lo_que_no_se_ha_podido_corregir_se_dice(tmp_path, juzga, monkeypatch, capsys):
-    juzga(lambda *_: {"nota": 100, "dice": []})
-    for nombre in "abc":
-        carpeta_de(tmp_path / "c" / nombre, UNO)
+    juzga(lambda _, suya: time.sleep(0.3 * (b"tarda" in suya.ficheros["p.h"])) or {"nota": 100, "dice": []})
+    for nombre, dentro in zip("abc", ("// tarda", "", "")):  # la primera, y no por eso es la última
+        carpeta_de(tmp_path / "c" / nombre, UNO | {"p.h": dentro})
     (tmp_path / "d/b.json").mkdir(parents=True)  # donde iría la de b
     hechas, fallos = de_clase.clase(banco_falso(tmp_path), sorted((tmp_path / "c").iterdir()), tmp_path / "d", 2)
     assert [c["entrega"] for c in hechas.values()] == ["a", "c"] and [f[:11] for f in fallos] == ["b: no puedo"]
@@ -942,7 +946,7 @@ DICE = {
 def comprueba_correcciones(clase, destino):
     """Cada una dice lo que debe, y la página y la hoja de Moodle, lo mismo."""
     todas = {f.stem: json.loads(f.read_text()) for f in destino.glob("*.json")}
-    assert todas.keys() == {c.name for c in clase.iterdir()}
+    assert todas.keys() == {c.name for c in clase.iterdir() if c != destino}
     notas = {quien(carpeta): c["nota"] for carpeta, c in todas.items()}
     perfectas = [nombre for nombre, nota in sorted(notas.items()) if nota == 100]
     assert perfectas == ["a_bien", "h_mira", "o_navegador", "s_glut_a_pelo", "t_al_lado"]
@@ -1000,7 +1004,7 @@ def comprueba_imagenes(pagina):
 
 @con_jaula
 def test_una_clase_se_para_y_se_sigue(clase):
-    destino, temporal = clase.with_name("hecho"), clase.with_name("temporal")
+    destino, temporal = clase / "hecho", clase.with_name("temporal")  # lo que se deja no es de nadie
     temporal.mkdir()
     pide = orden(clase, REF, "--deja", destino, "--guiones", "1", "-j", "2", "--moodle", clase.with_name("hoja.csv"))
     entorno = {**os.environ, "TMPDIR": str(temporal)}

@@ -1,4 +1,5 @@
 """Lo que se cumple con un gesto: corto, en ventanas de otra forma; y largo, hasta su tope."""
+from mandos import GOLDEN, TOPES
 from programa import arrastre, distintos
 from vista import FORMAS
 
@@ -27,17 +28,24 @@ def gestos(p):
 
 
 def topes(p):
-    """Arrastrado hasta el tope de arriba o de abajo, se vuelve de él poco a poco: si se pasa del polo, la vertical da
-    media vuelta."""
+    """Arrastrado hasta el tope de arriba o de abajo, de él no se pasa y se vuelve poco a poco: si se pasa del polo, la
+    vertical da media vuelta. A los lados no hay tope, salvo donde lo dice topes.tsv."""
     if "arrastre" not in p.rasgos or p.cualquiera:
         return
-    for hacia in (1, -1):
-        pasos = [f"arrastra 60 {45 + hacia * (LEJOS - PASO * i)}" for i in range(PASOS + 1)]
-        guion = ["boton IZQUIERDO abajo 60 45", *(o for paso in pasos for o in (paso, "captura"))]
-        vistas = [v.centro(*v.talla) for v in p.vistas([*guion, "boton IZQUIERDO arriba 60 45"], LAB_SIN_ENCIMA="1")]
-        cambian = [distintos(una, otra) for una, otra in zip(vistas, vistas[1:])]
+    lleva = "boton IZQUIERDO abajo 60 45", "boton IZQUIERDO arriba 60 45"
+    for hacia, lado in (1, "derecha"), (-1, "izquierda"):
+        pasos = [f"arrastra 60 {45 + hacia * (LEJOS - PASO * i)}" for i in (1, *range(PASOS + 1))]
+        de_lado = [f"arrastra {60 + hacia * (LEJOS + PASO * i)} 45" for i in range(2)]
+        guion = [o for orden in (lleva[0], *pasos, *de_lado) for o in (orden, "captura")]
+        antes, *vistas = [v.centro(*v.talla) for v in p.vistas([*guion, lleva[1]], LAB_SIN_ENCIMA="1")]
+        una, otra, *vistas, ultima, aun_mas = vistas
+        if antes != una != otra:
+            yield "tope", f"con «{pasos[0]}» no se ha llegado al tope: con «{pasos[1]}» se mueve"
+        if vistas[-1] != ultima and (ultima == aun_mas) != (f"{p.nombre}\tarrastra {lado}" in TOPES):
+            yield "tope", f"hacia «{lado}», {'' if ultima == aun_mas else 'no '}hay tope, y {GOLDEN.name} dice otra cosa"
+        cambian = [distintos(a, b) for a, b in zip([otra, *vistas], vistas)]
         if any(b > 3 * max(a, c) + SALTO for a, b, c in zip(cambian, cambian[1:], cambian[2:])):
-            yield "salto", f"al volver poco a poco de donde lleva «{pasos[0]}» hay un salto: {cambian}"
+            yield "salto", f"al volver poco a poco de donde lleva «{pasos[1]}» hay un salto: {cambian}"
 
 
 def cifras(p):

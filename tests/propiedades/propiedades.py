@@ -119,6 +119,7 @@ EXCEPCIONES = {
     ("shader_basico", "estropeados", "F3"): "es el listado del libro: no vigila",
     ("errores_shader", "estropeados", "F[35]"): "enseña los errores de unos shaders estropeados",
     ("errores_shader", "paseo", "F5"): "releer vuelve a escribir el error, o que no lo hay",
+    ("giro_eje", "topes", "tope"): "el ratón no orbita: lleva el eje, sin fin",
     ("tiras", "cifras", "tecla ."): "la malla que trae tiene dos tiras: las demás cifras dejan lo que había",
     ("varias_luces", "cifras", "tecla ."): "cada luz se enciende y se apaga",
     ("tiras", "mandos", "tecla [3-9]"): "la malla que trae tiene dos tiras: son para la del usuario",
