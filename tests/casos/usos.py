@@ -90,8 +90,10 @@ def fallos_de_error(build, carpeta, entorno, debe):
     if not re.fullmatch(re.escape(suyo).replace("\\#", "[0-9]+"), todas) or any(int(n) > int(de) for n, de in partes):
         return [f"no se dice «{suyo}» sino «{dicha}»"]
     for pide in re.findall(r"Pide el píxel (\d+) (\d+)", dicha):
-        dice = explicado(build, carpeta, pide, entorno)[1]
-        if "lo primero que no es un número" not in dice or f"aviso: {dicha}" not in dice:
+        cuadro, dice = explicado(build, carpeta, pide, entorno)
+        raro = next(s for s in cuadro["sombreado"]["lineas"] if any(isinstance(n, str) for n in s["valor"]))
+        primero = f"lo primero que no es un número: {raro['fichero']}:{raro['linea']}: "
+        if primero not in dice or f"aviso: {dicha}" not in dice:
             return [f"en {pide} no hay nada raro"]
     return []
 

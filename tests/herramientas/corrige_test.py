@@ -644,18 +644,20 @@ def test_lo_que_no_se_ha_podido_corregir_se_dice(tmp_path, juzga, monkeypatch, c
     juzga(lambda _, suya: time.sleep(0.3 * (b"tarda" in suya.ficheros["p.h"])) or {"nota": 100, "dice": []})
     for nombre, dentro in zip("abc", ("// tarda", "", "")):  # la primera, y no por eso es la última
         carpeta_de(tmp_path / "c" / nombre, UNO | {"p.h": dentro})
-    (tmp_path / "d/b.json").mkdir(parents=True)  # donde iría la de b
-    hechas, fallos = de_clase.clase(banco_falso(tmp_path), sorted((tmp_path / "c").iterdir()), tmp_path / "d", 2)
+    carpetas, deja = sorted((tmp_path / "c").iterdir()), tmp_path / "c/d"  # lo que se deja no es de nadie
+    (deja / "b.json").mkdir(parents=True)  # donde iría la de b
+    hechas, fallos = de_clase.clase(banco_falso(tmp_path), carpetas, deja, 2)
     assert [c["entrega"] for c in hechas.values()] == ["a", "c"] and [f[:11] for f in fallos] == ["b: no puedo"]
     sin_banco(monkeypatch, tmp_path)
-    pide = ["x", str(RAIZ), str(tmp_path), str(tmp_path / "c"), REF, "--sin-jaula", "--deja", str(tmp_path / "d")]
+    pide = ["x", str(RAIZ), str(tmp_path), str(tmp_path / "c"), REF, "--sin-jaula", "--deja", str(deja)]
     monkeypatch.setattr(sys, "argv", pide)
     sueltos = "x.cpp", "y.h", "z.frag"
     for n in range(len(sueltos) + 1):  # y lo que se deja
         siembra(tmp_path / "c", dict.fromkeys(sueltos[:n], ""))
         with pytest.raises(procesos.Fallo, match="no se han podido corregir 1: b: no puedo"):
             orden_.main()
-        assert re.findall("se dejan: (.*)", capsys.readouterr().err) == [", ".join(sueltos[:n])] * bool(n)
+        dicho = capsys.readouterr().err
+        assert re.findall("se dejan: (.*)", dicho) == [", ".join(sueltos[:n])] * bool(n) and "[  3/3] " in dicho
 
 
 MAL = {
@@ -946,7 +948,7 @@ DICE = {
 def comprueba_correcciones(clase, destino):
     """Cada una dice lo que debe, y la página y la hoja de Moodle, lo mismo."""
     todas = {f.stem: json.loads(f.read_text()) for f in destino.glob("*.json")}
-    assert todas.keys() == {c.name for c in clase.iterdir() if c != destino}
+    assert todas.keys() == {c.name for c in clase.iterdir()}
     notas = {quien(carpeta): c["nota"] for carpeta, c in todas.items()}
     perfectas = [nombre for nombre, nota in sorted(notas.items()) if nota == 100]
     assert perfectas == ["a_bien", "h_mira", "o_navegador", "s_glut_a_pelo", "t_al_lado"]
@@ -1004,7 +1006,7 @@ def comprueba_imagenes(pagina):
 
 @con_jaula
 def test_una_clase_se_para_y_se_sigue(clase):
-    destino, temporal = clase / "hecho", clase.with_name("temporal")  # lo que se deja no es de nadie
+    destino, temporal = clase.with_name("hecho"), clase.with_name("temporal")
     temporal.mkdir()
     pide = orden(clase, REF, "--deja", destino, "--guiones", "1", "-j", "2", "--moodle", clase.with_name("hoja.csv"))
     entorno = {**os.environ, "TMPDIR": str(temporal)}
