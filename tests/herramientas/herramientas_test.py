@@ -25,11 +25,21 @@ from galeria import dibuja
 from galeria.pagina import AQUI as GALERIA, MODULOS, PaginaGaleria
 from informe import cocientes, costes, grafica, informe, tecnicas
 from web import pagina as de_la_pagina, taller
-from windows import paquete
+from windows import fuentes as de_windows, paquete
 from mentira import BUILD, RAIZ, siembra
 
 FUENTES = [f for f in RAIZ.glob("c*/**/*.*") if f.suffix in (".cpp", ".h", ".vert", ".frag", ".glsl")]
 LEEN = r'"((?:assets|common|ch\d\d_\w+)/[\w.]+\.(?:vert|frag|glsl|vf|txt|rgb|r8))"'
+
+
+def test_una_descarga_a_medias_no_estorba(tmp_path, monkeypatch):
+    monkeypatch.setattr(sys, "argv", ["x", str(tmp_path)])
+    monkeypatch.setattr(de_windows, "lista_de_fuentes", lambda _: "lista")
+    monkeypatch.setenv("PATH", str(tmp_path))  # no hay apt-get, que es como si no hubiera red
+    monkeypatch.delenv("LAB_SIN_INSTALAR", raising=False)
+    for _ in range(2):
+        with pytest.raises(procesos.Fallo, match="no se han podido descargar"):
+            de_windows.main()
 
 
 def test_el_zip_de_windows_tiene_lo_que_leen_los_programas(tmp_path, monkeypatch):

@@ -165,6 +165,7 @@ def apt(monkeypatch, tmp_path, request):
         registro.write_text(hay.estados.get("dice", "E: no\n"))
         return hay.estados.get(palabras[0], 0)
 
+    monkeypatch.setattr(paquetes, "existe", lambda _: "update" in sum(hay.llamadas, []))  # hasta entonces no se sabe
     puestos = lambda: request.param + "".join(f"{p} installed\n" for p in hay.puestos)
     monkeypatch.setattr(paquetes, "apt", llama)
     monkeypatch.setattr(paquetes, "escrito", lambda quien, *_: puestos() if quien == "dpkg-query" else "")
@@ -182,6 +183,9 @@ def test_instala_lo_que_falta(apt, capsys, monkeypatch):
     apt.uid = 0
     apt.instala()
     assert apt.llamadas[-1][0] == "install"
+    apt.puestos, apt.llamadas = apt.puestos - {paquetes.OPCIONAL}, []
+    apt.instala()
+    assert apt.llamadas[-1][-2:] == ["cmake", paquetes.OPCIONAL]
     for estados, dice in (({"install": 100}, "¿hay red?"), ({"dice": "W: Operation was interrupted"}, 130)):
         apt.estados = estados
         with pytest.raises((Fallo, SystemExit)) as fallo:
@@ -279,6 +283,7 @@ def pausado(tmp_path):
     bin_.mkdir()
     shutil.copytree(RAIZ / "herramientas", raiz / "herramientas", ignore=shutil.ignore_patterns("__pycache__"))
     shutil.copy(RAIZ / "lab", raiz)
+    ejecutable(bin_ / "python3", "exit 9")  # el de un entorno virtual, sin lo que pone Debian
     ejecutable(bin_ / "cmake", f"sleep 100 & echo $! >{tmp_path}/nieto; wait")
     entorno = {c: v for c, v in os.environ.items() if not c.startswith("LAB_")}
     entorno |= {"PATH": f"{bin_}:{os.environ['PATH']}", "LAB_SIN_INSTALAR": "1", "TMPDIR": str(tmp_path)}

@@ -6,6 +6,7 @@ import re
 import shlex
 import shutil
 import subprocess
+from threading import Thread
 
 import pytest
 from mentira import BUILD, RAIZ, se_encierra
@@ -96,6 +97,13 @@ def test_ver(lab):
     lab("ver E3.5", dice="lo he dibujado en grua.png")
     assert lab.deja("grua.png", b"\x89PNG")
     lab("ver grua -volando", 2, "no entiendo «-volando»")
+    os.mkfifo(fifo := lab.sitio / "guion")
+    abierto = Thread(target=lab, args=(f"ver grua -ppm f.ppm -guion @{fifo}",))
+    abierto.start()
+    with fifo.open("w"):  # ya lo está leyendo: con un programa abierto se puede seguir trabajando
+        assert subprocess.run(["flock", "-n", lab.sitio / "build/.cerrojo", "true"]).returncode == 0
+    abierto.join()
+    assert lab.deja("f.ppm", b"P6")
     lab("ver info_opengl", dice="GLSL: ")
 
 

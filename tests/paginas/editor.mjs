@@ -63,6 +63,7 @@ const cambios = {
       const texto = cm.getValue(), ultima = rutas.at(-1);
       await editor.abre(rutas[0]);
       await editor.abre(ultima);
+      cm.undo(); // de lo escrito en otro fichero, nada
       return rutas.length > 2 && editor.abierto === ultima && texto === cm.getValue();
     });
   },

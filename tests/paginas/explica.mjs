@@ -79,7 +79,7 @@ const mirados = PROGRAMAS.filter(q => !q.consola).filter((q, i) => i % CADA === 
 const historias = mirados.map((programa, i) =>
   [`la historia de dos píxeles de ${programa.nombre}`, async p => {
     await p.abre(`#${programa.nombre}`);
-    for (const punto of [[40 + i * 37 % 160, 40 + i * 23 % 110], [120, 90]]) {
+    for (const punto of [[40 + i * 37 % 160, 40 + i * 23 % 110], [i % 2 ? 0 : 120, 90]]) { // y en el borde
       const { mal, guion, dice } = await p.da(mira, punto, SIN_SOSPECHAS[programa.nombre]);
       assert.deepEqual(mal, [], `${punto}`);
       assert.deepEqual(dice, loQueDice(programa, guion, punto), `${punto}, tras «${guion}»`);
@@ -141,6 +141,9 @@ const maneras = {
     await seVe(p);
     const antes = await p.da(() => hecho.ordenes.join());
     await p.acaba('y después sigue', antes => hecho.ordenes.join() !== antes, antes);
+    await p.da(() => { una('.explica-cuadro').click(); location.hash = 'objeto_animado'; });
+    await p.acaba('y si mientras se va a otro, también él', () => visto.programa?.nombre === 'objeto_animado' &&
+      /^espera \d{3}/.test(hecho.ordenes.join()));
   },
 
   'explicar un canto, con muestras: lo que no llega al centro del píxel no se calla ni se da por otro': async p => {

@@ -145,6 +145,10 @@ const enLosDos = {
 
   'cada dirección lleva a lo suyo, y el índice lo señala': async p => {
     await p.carga();
+    const entradas = () => p.da(() => history.length), antes = await entradas();
+    await p.va('#5');
+    await p.acaba('se corrige', () => location.hash === '#ch05_iluminacion');
+    assert.equal(await entradas(), antes + 1, 'y «Atrás» no vuelve a ella');
     for (const [ancho, cada] of [[1440, 2], [360, 9]]) { // una mitad en cada navegador
       const pedidas = DIRECCIONES.filter((_, i) => i % cada === (p.cual === 'firefox' ? 1 : 0));
       await p.talla(ancho, 800);
@@ -160,7 +164,8 @@ const enLosDos = {
             r = e?.getBoundingClientRect();
             const final = scrollY + innerHeight > document.body.scrollHeight - 2;
             senalado = todos('.programas [aria-current]').map(a => a.hash.slice(1)).join();
-            bien = e && (final || (r.top > -2 && r.top < innerHeight * 0.15)) && una('#no-esta').hidden &&
+            const hay = e && document.elementFromPoint(r.x + Math.min(9, r.width / 2), r.y + Math.min(9, r.height / 2));
+            bien = e?.contains(hay) && (final || (r.top > -2 && r.top < innerHeight * 0.15)) && una('#no-esta').hidden &&
               [suyo, primero].includes(senalado) && decodeURIComponent(location.hash) === '#' + pedida;
           }
           if (!bien) mal.push([escrita, r?.top, senalado]);

@@ -78,7 +78,7 @@ const uso = {
     for (const enlace of ['#camara', '#grua;tecla d ×2;tecla w']) {
       await p.va(enlace);
       await p.acaba(enlace, de => de.startsWith(`#${visto.programa.nombre}`) && sesion?.vivo && editor.ruta, enlace);
-      await p.exige('lo dicho era de lo que se ha dejado', () => !una('.mensaje-malo, .linea-mala, .fichero-estado.mal'));
+      await p.exige('lo dicho era de lo dejado', () => !una('.mensaje-malo, .linea-mala, .fichero-estado.mal'));
     }
     await cambia(p, 'ponFondo(rojo)', 'ponFondo(CIELO)');
     assert.deepEqual(await p.imagen(), antes, 'y como estaba');
@@ -130,6 +130,9 @@ const uso = {
       if (donde < 0 || sale || primero?.ruta !== GRUA || primero.linea !== debe || !enIngles?.includes(dice))
         mal.push(`${que}: línea ${debe}: ${JSON.stringify(primero)} ${sale}`);
     }
+    const orbita = 'common/orbita.h', otra = lee(orbita).replace('elevacionMinima', 'elevacionPrimera');
+    const [, dichos] = await p.da(compila, 'sombreado', { [orbita]: otra });
+    assert.ok(dichos.some(d => d.ruta === 'common/orbita.cpp'), 'con una cabecera, se compila lo que la incluye');
     assert.deepEqual(mal, []);
   },
 };

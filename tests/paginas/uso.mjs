@@ -43,6 +43,11 @@ const entradas = {
     await p.dedos([-1, 1].map(lado => [[120 + lado * 40, 90], [120 + lado * 47, 90]]));
     await p.acaba('la pinza llega', () => hecho.ordenes.some(o => o.startsWith('rueda')));
     await p.es('grua-orbitada');
+    await p.pagina.mouse.move(...await p.punto(100, 90));
+    await p.pagina.mouse.down();
+    await p.pagina.mouse.move(...await p.punto(-40, 90), { steps: 4 });
+    await p.pagina.mouse.up();
+    await p.acaba('soltado fuera, se suelta', () => hecho.ordenes.at(-1) === 'boton IZQUIERDO arriba -40 90');
   },
 
   'un enlace con ratón, en una ventana de otra forma': async p => {
@@ -330,9 +335,30 @@ const pagina = {
         if (enlace !== '#ejercicio/L5.3') continue;
         await p.exige(`a ${ancho}×${alto} se ven las tres imágenes y cuánto coinciden`, () => scrollY === 0 &&
           todos('.lienzo, .cuadro, .parecido').every(e => e.getBoundingClientRect().bottom < innerHeight));
+        await p.talla(ancho, 600);
+        await p.nadaSeSale(`«${enlace}» a ${ancho}×600`);
+        await p.talla(ancho, alto);
       }
     }
     await p.acaba('info_opengl escribe lo que hay', () => consola.textContent.includes('OpenGL: 3.1 (imitado'));
+  },
+
+  'de un programa o un ejercicio a su vecino se pasa por todos': async p => {
+    await p.carga();
+    assert.deepEqual(await p.da(async () => {
+      const programas = JSON.parse(una('#programas').textContent), mal = [];
+      const ejercicios = programas.flatMap(q => q.ejercicios.map(e => `ejercicio/${e.codigo}`));
+      for (const lista of [programas.map(q => q.nombre).slice(-9), ejercicios]) {
+        for (const [i, enlace] of lista.entries()) {
+          location.hash = enlace;
+          await cuadro();
+          const hay = [['.anterior', i - 1], ['.siguiente', i + 1]].map(([boton, vecino]) => lista[vecino]
+            ? una(boton).hash === '#' + lista[vecino] : una(boton).hidden || lista !== ejercicios);
+          if (hay.includes(false)) mal.push(enlace);
+        }
+      }
+      return mal;
+    }), []);
   },
 
   'para todos: la lista, un programa y un ejercicio': async p => {
