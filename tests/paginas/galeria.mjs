@@ -165,7 +165,8 @@ const enLosDos = {
             const final = scrollY + innerHeight > document.body.scrollHeight - 2;
             senalado = todos('.programas [aria-current]').map(a => a.hash.slice(1)).join();
             const hay = e && document.elementFromPoint(r.x + Math.min(9, r.width / 2), r.y + Math.min(9, r.height / 2));
-            bien = e?.contains(hay) && (final || (r.top > -2 && r.top < innerHeight * 0.15)) && una('#no-esta').hidden &&
+            const seVe = e?.closest('article, .capitulo').contains(hay); // lo que hay ahí es suyo, y no la barra
+            bien = seVe && (final || (r.top > -2 && r.top < innerHeight * 0.15)) && una('#no-esta').hidden &&
               [suyo, primero].includes(senalado) && decodeURIComponent(location.hash) === '#' + pedida;
           }
           if (!bien) mal.push([escrita, r?.top, senalado]);

@@ -255,11 +255,13 @@ class Persona {
     await this.acaba('los lienzos que ya no están sueltan la tarjeta', () =>
       [...lienzos].every(c => c.isConnected || c.getContext('webgl2').isContextLost()));
     assert.deepEqual(await this.da(() => {
+      const pegado = e => e && (getComputedStyle(e).position === 'sticky' || pegado(e.parentElement)); // se corre
       const encima = una('dialog[open]') ?? document.fullscreenElement ?? document, mal = malPuesto();
       for (const e of todos('button, a[href], input, select, summary', encima)) {
         const [r] = e.getClientRects(), hay = r && document.elementFromPoint(r.x + r.width / 2, r.y + r.height / 2);
         if (!hay || !e.checkVisibility({ visibilityProperty: true }) || getComputedStyle(e).opacity === '0') continue;
-        if (!e.contains(hay) && hay.closest('label')?.control !== e) mal.push(['tapa', hay.outerHTML, e.outerHTML]);
+        if (e.contains(hay) || hay.closest('label')?.control === e || pegado(hay)) continue;
+        mal.push(['tapa', hay.outerHTML, e.outerHTML]);
       }
       return mal.map(String).map(s => s.slice(0, 400));
     }), []);
