@@ -442,6 +442,7 @@ def test_lo_de_otro_no_estropea_lo_que_se_escribe(tmp_path, juzga, monkeypatch, 
     assert {c for c in escrito if not c.isprintable()} <= {"\n"}
     assert max(map(len, escrito.replace(Reglas().en_palabras, "").split("\n"))) < 4 * lector.LETRAS + 450
     assert len(xml.parse(tmp_path / "j.xml").getroot()) == len(list(d.glob("*.json"))) == len(hostiles)
+    assert (d / "notas.csv").read_bytes().startswith(b"\xef\xbb\xbf"), "una hoja de cálculo no sabría qué letras son"
     filas = celdas((d / "notas.csv").read_bytes(), "utf-8-sig", separador=";")
     assert len(filas) == len(hostiles) + 1 and not [c for f in filas for c in f if c[:1] in tuple("=+-@")]
     assert (d / "index.html").read_text().count("<script") == 1 and str(tmp_path / "temporal") not in escrito

@@ -217,6 +217,9 @@ def en_la_grafica(t, guion):
         for y, n in re.findall(r"^\S+ ([\d.e-]+) \S+ \S+ (\d+)$", suyas, re.M):
             alturas[t.variantes[int(n) - 1].error] = float(y)
             yield n, f"#{color}"
+    for suyas in re.findall(r"\$frente\d << FIN\n(.*?)\nFIN", guion, re.S):
+        tiempos = [float(fila.split()[0]) for fila in suyas.split("\n")]
+        assert tiempos == sorted(tiempos), "se une de la más rápida a la más lenta"
     abajo, arriba = map(float, re.search(r"yrange \[(.*):(.*)\]", guion).groups())
     assert [abajo, *(alturas[e] for e in sorted(alturas)), arriba] == sorted({abajo, *alturas.values(), arriba})
 
@@ -291,6 +294,7 @@ def test_lo_que_se_sirve(tmp_path, monkeypatch):
     siembra(raiz / propios.CARPETA / "x", dict.fromkeys(de_clase, ""))
     codigos = marcas.que_piden({f: f.read_text() for f in FUENTES})
     (raiz / "ocultos.txt").write_text("\n".join(codigos) + "  # los de este curso")
+    assert marcas.ocultos(raiz) == [*codigos], "y nada más"
     monkeypatch.setattr(controles, "atiende", lambda *_, **__: (set(), []))
     monkeypatch.setattr(taller, "paquete", lambda _: build)
     monkeypatch.setattr(de_la_pagina.Pagina, "empaqueta_taller", lambda _: {"ficheros": []})

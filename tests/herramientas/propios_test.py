@@ -520,6 +520,9 @@ def test_cada_regla_cambia_lo_suyo(tmp_path):
         assert (otra.en_palabras != Reglas().en_palabras and str(valor) in otra.en_palabras) == es_de_la_nota
     assert nota(Reglas(titulo=0), "bien", "bien", {"título": "mal"}) == 100
     assert reglas.del_programa(SimpleNamespace(raices=[]), guiones=3) == Reglas(guiones=3)
+    (tmp_path / "r").write_text("casi = 0")  # lo demás, como en ese ejercicio
+    suyas = reglas.del_programa(SimpleNamespace(raices=[]), tmp_path / "r", como_siempre=Reglas(guiones=5))
+    assert suyas == Reglas(guiones=5, casi=0)
 
 
 MALAS = {

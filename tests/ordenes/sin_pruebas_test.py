@@ -97,6 +97,7 @@ def test_ver(lab):
     lab("ver E3.5", dice="lo he dibujado en grua.png")
     assert lab.deja("grua.png", b"\x89PNG")
     lab("ver grua -volando", 2, "no entiendo «-volando»")
+    assert lab("ver ch12 -volando", 2).count("no entiendo «-volando»") > 1, "de un capítulo, todos"
     os.mkfifo(fifo := lab.sitio / "guion")
     abierto = Thread(target=lab, args=(f"ver grua -ppm f.ppm -guion @{fifo}",))
     abierto.start()

@@ -32,6 +32,7 @@ async function mira([x, y], sabido) {
   sesion.redibuja();
   di(lee() !== antes, 'la imagen, dibujada otra vez, ha cambiado');
   di(gl.getError(), 'queda un error de OpenGL');
+  di(gl.getContextAttributes().alpha, 'donde alfa no es 1 se ve la página');
   di(!sesion.vivo, 'el programa ha terminado');
   for (const [k, s] of historia.entries()) {
     di(k && de(s.antes) !== de(historia[k - 1].despues), `la orden ${s.orden} encuentra otro color`);
@@ -134,6 +135,9 @@ const maneras = {
     await p.pulsa('.explica-cuadro');
     await p.acaba('el cuadro', () => una('.explicacion > h2')?.textContent === 'El cuadro entero' &&
       todos('.explicacion .tira li').length > 9 && todos('.explicacion .tira img').length > 5);
+    const [una, otra] = await p.da(async () =>
+      [await pagina.explica(), await pagina.explica()].map(d => JSON.stringify(d)));
+    assert.equal(una, otra, 'explicado otra vez, es lo mismo');
     await p.da(() => todos('.explicacion .tira button').at(-1).click());
     const laminas = await p.da(() => todos('.explicacion .laminas figcaption').map(f => f.textContent.split(':')[0]));
     for (const que of ['color', 'profundidad', 'plantilla']) assert.ok(laminas.includes(que), que);

@@ -33,6 +33,8 @@ const entradas = {
     await p.es('grua-orbitada');
     await p.da(() => conTexto('.casos-botones button', 'Girada').click());
     await p.acaba('tiene dirección', () => location.hash === '#grua-girada' && hecho.ordenes.length === 7);
+    await p.da(() => { escena.manda('tecla d'); conTexto('.casos-botones button', 'Girada').click(); });
+    await p.acaba('pulsado otra vez, empieza otra vez', () => hecho.ordenes.length === 7 && sesion?.vivo);
     await p.da(() => history.back());
     await p.acaba('«Atrás» vuelve al de antes', () => visto.caso.fichero === 'grua-orbitada' && sesion?.vivo);
   },
