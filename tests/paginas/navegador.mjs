@@ -68,7 +68,7 @@ function nombra() {
   const bajo = e => /auto|scroll/.test(getComputedStyle(e).overflowY) && e.clientHeight < Math.min(60, e.scrollHeight);
   globalThis.malPuesto = () => todos('[hidden]').filter(e => getComputedStyle(e).display !== 'none')
     .map(e => `se ve ${e.outerHTML}`).concat(document.documentElement.scrollWidth > innerWidth ? 'se sale' : [],
-      todos('body *').filter(e => bajo(e) && e.checkVisibility()).map(e => `apenas se ve ${e.outerHTML}`));
+      todos('body :not(textarea)').filter(e => bajo(e) && e.checkVisibility()).map(e => `apenas se ve ${e.outerHTML}`));
   globalThis.lienzos = new Set(); // los que tienen OpenGL
   const da = HTMLCanvasElement.prototype.getContext;
   HTMLCanvasElement.prototype.getContext = function (que, ...mas) {
