@@ -15,11 +15,7 @@ function cubre(texto) {
   una('p', telon).textContent = texto;
 }
 
-function calla() {
-  consola.hidden = true;
-  consola.replaceChildren();
-}
-
+const calla = () => { consola.hidden = true; consola.replaceChildren(); };
 const ponTitulo = texto => { una('.estado').textContent = texto; };
 const talla = () => tallaDe(marco.getBoundingClientRect(), devicePixelRatio);
 

@@ -123,7 +123,8 @@ async function conCuidado(hace) {
   const { taller } = visto;
   taller.dibuja(true);
   await hace();
-  escena.sesion?.lienzo.getContext('webgl2')?.readPixels(0, 0, 1, 1, 0x1908, 0x1401, new Uint8Array(4)); // RGBA, bytes
+  const { lienzo, vacio } = escena.sesion ?? {}; // uno vacío no tiene OpenGL, ni nadie que lo suelte
+  if (!vacio) lienzo?.getContext('webgl2')?.readPixels(0, 0, 1, 1, 0x1908, 0x1401, new Uint8Array(4)); // RGBA, bytes
   taller.dibuja(false);
   if (taller.aparte && visto.taller === taller)
     avisa('Con lo escrito en los shaders la página dejó de responder: esto es sin ello, hasta que lo cambies.');
@@ -276,7 +277,7 @@ async function explicaYa(pixel, llama, enlazado) {
     if (llama) avisa('');
     return datos;
   } catch (error) {
-    avisa(`No se puede explicar: ${error.message}`);
+    if (sesion === escena.sesion) avisa(`No se puede explicar: ${error.message}`);
   } finally {
     escena.quieta = estaba;
   }

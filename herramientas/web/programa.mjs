@@ -117,7 +117,8 @@ export async function arranca(programa, { lienzo, ancho, alto, textos = {}, fich
     async explica([x, y] = [-1, -1]) {
       lab.hasta = Infinity; // lo dibuja muchas veces, y ya se ha visto que acaba
       lab.ccall('explicaPregunta');
-      while (!lab.ccall('explicaResponde')) await new Promise(sigue => setTimeout(sigue));
+      while (!estado && !lab.ccall('explicaResponde')) await new Promise(sigue => setTimeout(sigue));
+      if (estado) throw new Error('el programa ha terminado'); // y no respondería nunca
       const medidas = [lienzo.width, lienzo.height, x, y];
       return JSON.parse(lab.ccall('explicaCuadroVivo', 'string', medidas.map(() => 'number'), medidas));
     },

@@ -145,8 +145,8 @@ const maneras = {
     await seVe(p);
     const antes = await p.da(() => hecho.ordenes.join());
     await p.acaba('y después sigue', antes => hecho.ordenes.join() !== antes, antes);
-    await p.da(() => { una('.explica-cuadro').click(); location.hash = 'objeto_animado'; });
-    await p.acaba('y si mientras se va a otro, también él', () => visto.programa?.nombre === 'objeto_animado' &&
+    await p.da(() => { una('.explica-cuadro').click(); location.hash = 'banderas'; });
+    await p.acaba('y si mientras se va a otro, también él', () => visto.programa?.nombre === 'banderas' &&
       /^espera \d{3}/.test(hecho.ordenes.join()));
   },
 
