@@ -171,9 +171,8 @@ test('todo se encuentra: cada nombre, título, referencia, pie, tecla e identifi
       if (clase !== 'libro') continue;
       const [, letra, numero] = enlace.match(/^(\D+)(.*)$/);
       const larga = CLASES[letra], escritos = [`${larga} ${numero}`, `${larga.slice(0, 3)}. ${numero}`];
-      for (const buscado of [enlace, enlace.toLowerCase(), ...escritos]) {
+      for (const buscado of [enlace, enlace.toLowerCase(), ...escritos])
         assert.equal(lo(buscado)?.enlace, enlace, buscado);
-      }
     }
     for (const ruta of fuentes) {
       const codigo = readFileSync(`${raiz}/${ruta}`, 'utf8').replace(/"[^"\n]*"|\/\/.*|\/\*[^]*?\*\//g, ' ');
