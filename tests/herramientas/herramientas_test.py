@@ -496,8 +496,6 @@ EN_BREVE = {
     "boton DERECHO abajo 1 2; arrastra 3 4; boton IZQUIERDO abajo 1 2": "arrastra con el botón derecho; haz clic",
     "menu Vista/Perfil; mueve 1 2; mueve 3 4": "elige en el menú Vista → Perfil; mueve el ratón",
 }
-
-
 ORDENES = {
     "tecla d ×7": "pulsa d 7 veces",
     "boton DERECHO abajo 3 4": "pulsa el botón derecho en 3, 4",
@@ -558,7 +556,7 @@ def test_cada_ejercicio_con_lo_que_pide_y_su_respuesta():
         assert (codigo[0] not in "E§") or (len(cosa.enunciado) > 20 and suyo.respuestas.get(codigo)), codigo
 
 
-# --- colores ------------------------------------------------------------------------------------------------------
+# --- controles ----------------------------------------------------------------------------------------------------
 
 
 CONTROLES = """
