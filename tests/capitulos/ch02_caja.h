@@ -7,6 +7,11 @@ const int ANCHO = 480, ALTO = 360; // de las imágenes que se comparan
 const glm::vec3 CAJA[8] = {{0, 0, 0}, {0, 0, 1}, {1, 0, 1}, {1, 0, 0},
                            {0, 1, 0}, {0, 1, 1}, {1, 1, 1}, {1, 1, 0}};
 using T3 = std::array<unsigned, 3>; // vértices, desde el 1
+// Las caras del enunciado y, con la 5 y la 6 al revés, a mano, las que concuerdan.
+const std::vector<T3> CARAS = {{1, 3, 2}, {1, 4, 3}, {1, 2, 5}, {2, 6, 5}, {3, 2, 6},
+                               {3, 6, 7}, {3, 4, 7}, {4, 8, 7}, {4, 1, 8}, {1, 5, 8}},
+                      TRIANGULOS = {{1, 3, 2}, {1, 4, 3}, {1, 2, 5}, {2, 6, 5}, {3, 6, 2},
+                                    {3, 7, 6}, {3, 4, 7}, {4, 8, 7}, {4, 1, 8}, {1, 5, 8}};
 
 /// Un vértice llevado a la esfera de radio 1: la media diagonal de la caja mide √3/2.
 inline oraculo::Vec3 verticeCaja(unsigned i) {

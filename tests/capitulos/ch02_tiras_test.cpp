@@ -27,10 +27,6 @@ std::vector<T3> expande(const std::vector<Tira> &tiras) {
     return triangulos;
 }
 
-// La caja del ejercicio 2.1 con las caras 5 y 6 invertidas, a mano.
-const std::vector<T3> TRIANGULOS = {{1, 3, 2}, {1, 4, 3}, {1, 2, 5}, {2, 6, 5}, {3, 6, 2},
-                                    {3, 7, 6}, {3, 4, 7}, {4, 8, 7}, {4, 1, 8}, {1, 5, 8}};
-
 // Las de la caja, y la que dibuja la tecla u.
 const std::vector<Tira> DOS = {{5, 2, 6, 3, 7, 4, 8, 1, 5, 2}, {2, 1, 3, 4}},
                         UNA = {{2, 1, 3, 4, 8, 1, 5, 2, 6, 3, 7, 8}},

@@ -112,10 +112,8 @@ def fallos_de(build, base, uso, debe):
     if not cuadro:
         return [dice]
     canales = explica.canales_de(cuadro)
-    fallos = [f"se sospecha: {s['dice']}" for s in cuadro["sospechas"]] + [
-        *preguntado.fallos(cuadro, suyas, explicadas)
-    ]
-    fallos += [*explica.fallos_de_pixel(cuadro, imagen, canales), *fallos_de_texels(cuadro, canales)]
+    fallos = [f"se sospecha: {s['dice']}" for s in cuadro["sospechas"]] + [*fallos_de_texels(cuadro, canales)]
+    fallos += [*preguntado.fallos(cuadro, suyas, explicadas), *explica.fallos_de_pixel(cuadro, imagen, canales)]
     fallos += ["nada cubre el píxel"] * (len(cuadro["historia"]) < 2)
     trazas = [t for t in [cuadro.get("sombreado", {}).get("fragmento")] if t]
     fallos += [f"no sigue la línea {s['linea']}: {s['motivo']}" for t in trazas for s in t["sinSeguir"]]

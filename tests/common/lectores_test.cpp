@@ -57,14 +57,12 @@ TEST(LeeTextura, LoQueNoEsUnFicheroNiUnaTalla) {
     EXPECT_EXIT(leeTextura(carpetaTemporal().string(), 3, 2), ExitedWithCode(1), "es una carpeta");
     EXPECT_EXIT(leeTextura("/dev/zero", 3, 2), ExitedWithCode(1), "«/dev/zero» ocupa más de 256 MiB");
     EXPECT_EXIT(leeTextura("t.rgb", 0, 2), ExitedWithCode(1), "no hay texturas de 0×2");
-    EXPECT_EXIT(leeTextura("t.rgb", 100000, 100000), ExitedWithCode(1), "no hay texturas de 100000×100000");
 }
 
 TEST(Ppm, RechazaLoQueNoEntiende) {
     const char *const CABECERA = "la cabecera del PPM no es válida";
     esperaQueTermine([](const std::string &ruta) { leePpm(ruta); }, "mal.ppm",
                      {{"", "no es un PPM binario"},
-                      {"P3 1 1 255\n1 2 3", "no es un PPM binario"},
                       {"P6 0 1 255\n", CABECERA},
                       {"P6 99999999 1 255\n", CABECERA},
                       {"P6 -1 1 255\n", CABECERA},
@@ -178,7 +176,6 @@ TEST(LeeVf, CadaErrorDiceFicheroYLinea) {
     const char *const TRES_NUMEROS = "m.vf:1: un vértice son tres números";
     esperaQueTermine(leeVf, "m.vf",
                      {{"# 1\n\n" + tres + "f 0 1 2", "m.vf:6: el vértice 0 no existe: hay 3, desde el 1"},
-                      {tres + "f 1 2 4", "m.vf:4: el vértice 4 no existe: hay 3"},
                       {tres + "f 1 2", "m.vf:4: una cara necesita al menos tres vértices y hay 2"},
                       {tres + "f 1 2 2", "m.vf:4: el vértice 2 está dos veces en la cara"},
                       {tres + "f 1 b 3", "m.vf:4: «b» no es un número de vértice"},

@@ -349,14 +349,14 @@ SIN_ACENTOS = ["".join(q for q in unicodedata.normalize("NFD", c) if q.isascii()
 GRUPOS = [*INGLES[:4], "Group", *INGLES[4:]]
 RARO = 'Pérez, "la O"\nGil'
 EN_CIEN = {"maxima": "100.00"}
+TRES = (1001, RARO), (1002, "Ana Gil"), (1003, "Luis")  # el tercero no ha entregado
 
 
-def una_hoja(columnas, separador=",", fin="\r\n", maxima="10,00", comillas=csv.QUOTE_MINIMAL, acaba=True, comento="ya"):
-    """Con tres personas: la tercera no ha entregado."""
+def una_hoja(columnas, separador=",", fin="\r\n", maxima="10,00", acaba=True, comento="ya", son=TRES, **como):
     datos = io.StringIO()
-    escribe = csv.writer(datos, delimiter=separador, lineterminator=fin, quoting=comillas)
+    escribe = csv.writer(datos, delimiter=separador, lineterminator=fin, **como)
     escribe.writerow(columnas)
-    for n, quien in ((1001, RARO), (1002, "Ana Gil"), (1003, "Luis")):
+    for n, quien in son:
         grupo, sin_nota = ["Grupo_A"] if "Group" in columnas else [], "" if n == 1002 else "-"
         fila = [f"Participante {n}", quien, "", "Enviado", *grupo, sin_nota, maxima, "Sí", "lunes, 5", "-", comento]
         escribe.writerow(fila[: len(columnas)])
@@ -372,7 +372,7 @@ HOJAS = {  # las columnas, cómo se escriben, en qué están y qué llevan delan
     **{f"en {idioma}": (suyas.split("|"), {"comento": ""}, "utf-8", b"") for idioma, suyas in COLUMNAS_DE.items()},
     "con BOM": (COLUMNAS, {}, "utf-8", b"\xef\xbb\xbf"),
     "en inglés": (INGLES, EN_CIEN, "utf-8", b""),
-    "con todo entre comillas": (INGLES, {**EN_CIEN, "comillas": csv.QUOTE_ALL}, "utf-8", b""),
+    "con todo entre comillas": (INGLES, {**EN_CIEN, "quoting": csv.QUOTE_ALL}, "utf-8", b""),
     "con punto y coma": (COLUMNAS, {"separador": ";", "fin": "\n"}, "utf-8", b""),
     "con tabuladores": (COLUMNAS, {"separador": "\t", "fin": "\n"}, "utf-16-le", b"\xff\xfe"),
     "de Windows": (COLUMNAS, {}, "cp1252", b""),
@@ -412,7 +412,7 @@ def test_la_hoja_de_moodle_se_queda_como_estaba(tmp_path, cual):
         flecha = "&#8594;" if como == "cp1252" else "→"
         debe = ("parece que &lt;b&gt;gira&lt;/b&gt;, &quot;al revés&quot;", "3 de 5", f"{flecha} ")
         assert not faltan(dicho, *debe)
-    if "comillas" in escrita:
+    if "quoting" in escrita:
         assert b'"87.50","100.00"' in destino.read_bytes()
     # las demás líneas, con sus comillas y sus finales
     viejas, nuevas = (re.split(r"(\r?\n)", datos.decode(como, "replace")) for datos in (antes, destino.read_bytes()))
@@ -509,22 +509,19 @@ def test_con_una_escala_van_palabras(tmp_path):
         hoja.Hoja(tmp_path / "h.csv", reglas=Reglas(escala="0 No apto; 90 Bien"))
 
 
-def test_una_columna_de_grupo_puede_no_ser_de_la_tarea(tmp_path):
-    (tmp_path / "h.csv").write_text(una_hoja(GRUPOS))
-    suya = hoja.Hoja(tmp_path / "h.csv", [f"Participante 1002_1002{MOODLE}"])
-    suya.pon(f"Participante 1002_1002{MOODLE}", HECHA)
-    assert suya.puestos["nota"] == 1 and not suya.avisos
-    assert conjunto.de_vuelta(f"Ana_1002{MOODLE}", suya) == [f"Ana_1002{MOODLE}"]
-
-
 def test_lo_de_un_grupo_vuelve_a_cada_uno(tmp_path):
-    """El número de la carpeta es el del grupo, que puede ser el de una persona que no tiene nada que ver."""
+    """El número de la carpeta es el del grupo, que puede ser el de una persona que no tiene nada que ver; y aunque haya
+    una columna de grupo puede no ser de la tarea."""
     (tmp_path / "h.csv").write_text(una_hoja(GRUPOS))
     suya = hoja.Hoja(tmp_path / "h.csv", [f"Grupo A_1003{MOODLE}"])
     son = conjunto.de_vuelta(f"Grupo A_1003{MOODLE}", suya)
     assert [re.split("_", s)[1] for s in son] == ["1001", "1002", "1003"] and "/" not in "".join(son)
     assert conjunto.de_vuelta(f"Otro_1003{MOODLE}", suya) == [] and conjunto.de_vuelta("ana", suya) == []
-    assert conjunto.de_vuelta(f"Ana_5{MOODLE}", None) == [f"Ana_5{MOODLE}"]
+    sola = hoja.Hoja(tmp_path / "h.csv", [f"Participante 1002_1002{MOODLE}"])
+    sola.pon(f"Participante 1002_1002{MOODLE}", HECHA)
+    assert sola.puestos["nota"] == 1 and not sola.avisos
+    for quien, de in (f"Ana_1002{MOODLE}", sola), (f"Ana_5{MOODLE}", None):
+        assert conjunto.de_vuelta(quien, de) == [quien]
 
 
 # --- en qué se equivoca una clase -----------------------------------------------------------------------------------
@@ -587,16 +584,8 @@ def al_azar(azar, n, casos):
         tras, imagenes = ["tecla d"] * azar.randrange(2), algunas("png", [0, 2, 3])
         return {"que": que, "tras": tras, "imagenes": imagenes, "donde": azar.choice([donde, None])}
 
-    c = {
-        "entrega": f"quien{n}",
-        "ejercicio": REF,
-        "semilla": "1",
-        "reglas": f"r{n}",
-        "bien": 3,
-        "guiones": 5,
-        "entero": "",
-    }
-    c |= {"nota": azar.choice([0, 49.9, 50, 87.5, 99.9, 100]), "dice": algunas("dice", [1, 2])}
+    c = {"entrega": f"quien{n}", "ejercicio": REF, "semilla": "1", "reglas": f"r{n}", "entero": ""}
+    c |= {"nota": azar.choice([0, 49.9, 50, 87.5, 99.9, 100]), "dice": algunas("dice", [1, 2]), "bien": 3, "guiones": 5}
     c |= {"avisos": algunas("aviso"), "casos": {caso.nombre: azar.random() < 0.5 for caso in casos}}
     c |= {"fallos": [*map(un_fallo, algunas("falla"))]}
     return c | {"piezas": [{"pide": p, "nota": azar.choice([0, 33.3, 100])} for p in algunas("pieza")]}

@@ -1,9 +1,7 @@
 """./lab corrige: sus partes, frente a lo que daría cualquiera, y una clase pequeña de verdad, con quien se equivoca y
 quien lo hace a propósito."""
 import base64
-import csv
 import dataclasses
-import io
 import itertools
 import json
 import os
@@ -22,7 +20,7 @@ from types import SimpleNamespace
 
 import pytest
 
-from aula_test import COLUMNAS, celdas
+from aula_test import COLUMNAS, celdas, una_hoja
 from banco import BUILD, MOODLE, RAIZ, REF, UNO, con_catalogo, con_comparador, con_jaula
 from banco import banco_falso, carpeta_de, en_tar, orden
 from base import catalogo, guiones, marcas, procesos
@@ -38,7 +36,7 @@ from ejercicios.corrige.banco import Banco
 from ejercicios.corrige.partidas import Guion, Partida
 from ejercicios.reglas import Reglas
 from copias import copia
-from mentira import ejecutable, faltan, siembra, sin_ventana
+from mentira import ejecutable, espera_a, faltan, siembra, sin_ventana
 
 GRUA = sin_ventana(BUILD) / "ch03_transformaciones/grua"
 
@@ -190,15 +188,9 @@ def test_la_nota_es_la_parte_de_los_guiones_que_salen_bien():
     assert nota(lambda g: partida(1, estado=124)) == 0 and len(jugados) == len(casos + otros) + veredicto.CUELGUES
 
 
-HECHOS = {  # un hueco, y lo que vale, que de tres guiones se ve en uno
-    "bien;": 1,
-    "bien ( );": 1,
-    "// nada": 0,
-    "como si nada;": 0,
-    "mal;": 2 / 3,
-    "usa(bien);": 1,
-    "usa(mal);": 2 / 3,
-}
+# un hueco, y lo que vale, que de tres guiones se ve en uno
+HECHOS = dict.fromkeys(("bien;", "bien ( );", "usa(bien);"), 1) | dict.fromkeys(("// nada", "como si nada;"), 0)
+HECHOS |= dict.fromkeys(("mal;", "usa(mal);"), 2 / 3)
 
 
 def por_piezas(carpeta, entregado, huecos=50, pesos="iguales", piezas={}):
@@ -819,16 +811,10 @@ def test_lo_encerrado_acaba_con_quien_lo_encierra():
     def vivos():
         return subprocess.run(["pgrep", "-fx", "sleep 431.5"], **CALLADO).stdout.split()
 
-    def espera(que):
-        fin = time.monotonic() + 60
-        while not que() and time.monotonic() < fin:
-            time.sleep(0.05)
-        return que()
-
-    assert espera(vivos), "no arranca"
+    assert espera_a(vivos, 60), "no arranca"
     proceso.kill()  # sin remedio: no puede avisar a nadie
     proceso.wait()
-    acaba = espera(lambda: not vivos())
+    acaba = espera_a(lambda: not vivos(), 60)
     for pid in vivos():
         os.kill(int(pid), signal.SIGKILL)
     assert acaba
@@ -865,17 +851,18 @@ A_PELO = """glutInit(&argc, argv);
     if (glewInit() != GLEW_OK)
         return 1;
 """  # como manda la documentación de GLEW
-ENTREGAS = {  # qué se quita de la solución, y qué se pone
+DE_FUERA, DEPENDE = f'#include "{RAIZ}/ch03_transformaciones/grua.h"', '#pragma GCC dependency "/etc/passwd"\n#include'
+ENTREGAS = {  # qué se quita de la solución, qué se pone y, si no está bien, qué se dice
     "a_bien": ("grua.h", "", ""),
-    "c_gira_al_reves": ("grua.h", "p.giro += PASO_GIRO", "p.giro -= PASO_GIRO"),
-    "d_orden": ("grua.h", " * ".join(TRANSFORMA), " * ".join(TRANSFORMA[::-1])),
-    "e_no_compila": ("grua.h", "return {\n", "retorna {\n"),
-    "f_sale": ("grua.cpp", "#include", SALE + "#include"),
-    "g_mata": ("grua.cpp", "#include", MATA + "#include"),
+    "c_gira_al_reves": ("grua.h", "p.giro += PASO_GIRO", "p.giro -= PASO_GIRO", "parece "),
+    "d_orden": ("grua.h", " * ".join(TRANSFORMA), " * ".join(TRANSFORMA[::-1]), "parece que "),
+    "e_no_compila": ("grua.h", "return {\n", "retorna {\n", "no compila: grua.h:"),
+    "f_sale": ("grua.cpp", "#include", SALE + "#include", "acaba por su cuenta"),
+    "g_mata": ("grua.cpp", "#include", MATA + "#include", "no ha dejado nada"),
     "h_mira": ("grua.cpp", "#include", MIRA + "#include"),
-    "i_passwd": ("grua.cpp", "#include", '#include "/etc/passwd"\n#include'),
-    "j_solucion": ("grua.cpp", '#include "grua.h"', f'#include "{RAIZ}/ch03_transformaciones/grua.h"'),
-    "l_depende": ("grua.cpp", "#include", '#pragma GCC dependency "/etc/passwd"\n#include'),
+    "i_passwd": ("grua.cpp", "#include", '#include "/etc/passwd"\n#include', "/etc/passwd"),
+    "j_solucion": ("grua.cpp", '#include "grua.h"', DE_FUERA, "no compila: grua.cpp:"),
+    "l_depende": ("grua.cpp", "#include", DEPENDE, "no compila: /etc/passwd: "),
     "s_glut_a_pelo": ("grua.cpp", ABRE, A_PELO),
 }
 
@@ -891,12 +878,8 @@ def quien(carpeta):
 
 def la_hoja(clase):
     """Con dos que no han entregado, y las filas en otro orden que las carpetas."""
-    datos = io.StringIO()
-    escribe = csv.writer(datos, lineterminator="\n")
-    escribe.writerow(COLUMNAS)
-    for n in [*sorted((c.name.split("_")[-4] for c in clase.iterdir()), reverse=True), 8, 9]:
-        escribe.writerow([f"Participante {n}", f"Quien sea {n}", "", "Enviado", "", "10,00", "Sí", "-", "-", ""])
-    return datos.getvalue()
+    son = [*sorted((c.name.split("_")[-4] for c in clase.iterdir()), reverse=True), 8, 9]
+    return una_hoja(COLUMNAS, fin="\n", comento="", son=[(n, f"Quien sea {n}") for n in son])
 
 
 @pytest.fixture(scope="module")
@@ -905,7 +888,7 @@ def clase(tmp_path_factory):
     sitio = tmp_path_factory.mktemp("clase") / "grupo"
     programa = nuevo.ejercicios(RAIZ, catalogo.lee_programas(BUILD))[REF]
     bien, entregas = nuevo.solucion(RAIZ, programa, REF), {"b_esqueleto": nuevo.esqueleto(RAIZ, programa, REF)}
-    for nombre, (fichero, viejo, otro) in ENTREGAS.items():
+    for nombre, (fichero, viejo, otro, *_) in ENTREGAS.items():
         assert viejo in bien[fichero]
         entregas[nombre] = {**bien, fichero: bien[fichero].replace(viejo, otro, 1)}
     entregas["u_copia"] = copia(entregas["c_gira_al_reves"], random.Random(1), baraja=False)
@@ -932,20 +915,6 @@ def cuando(destino):
     return {f.stem: f.stat().st_mtime_ns for f in destino.glob("*.json")}
 
 
-DICE = {
-    "b_esqueleto": "punto de partida",
-    "c_gira_al_reves": "parece ",
-    "d_orden": "parece que ",
-    "e_no_compila": "no compila: grua.h:",
-    "f_sale": "acaba por su cuenta",
-    "g_mata": "no ha dejado nada",
-    "i_passwd": "/etc/passwd",
-    "j_solucion": "no compila: grua.cpp:",
-    "k_enlace": "enlace",
-    "l_depende": "no compila: /etc/passwd: ",
-}
-
-
 def comprueba_correcciones(clase, destino):
     """Cada una dice lo que debe, y la página y la hoja de Moodle, lo mismo."""
     todas = {f.stem: json.loads(f.read_text()) for f in destino.glob("*.json")}
@@ -955,7 +924,8 @@ def comprueba_correcciones(clase, destino):
     assert perfectas == ["a_bien", "h_mira", "o_navegador", "s_glut_a_pelo", "t_al_lado"]
     assert notas["b_esqueleto"] < 50 and notas["g_mata"] == 0
     primera = {quien(carpeta): informes.lineas(c)[0] for carpeta, c in todas.items()}
-    assert {n: dicho for n, dicho in primera.items() if DICE.get(n, "") not in dicho} == {}
+    dice = {n: c[3] for n, c in ENTREGAS.items() if c[3:]} | {"b_esqueleto": "punto de partida", "k_enlace": "enlace"}
+    assert {n: dicho for n, dicho in primera.items() if dice.get(n, "") not in dicho} == {}
     assert primera["c_gira_al_reves"] == primera["u_copia"] != primera["d_orden"]
     gira = de_moodle("c_gira_al_reves")
     fallos = [f for f in todas[gira]["fallos"] if f["tras"] in (["tecla a ×7"], ["tecla d ×7"])]
@@ -968,16 +938,14 @@ def comprueba_correcciones(clase, destino):
 
 
 def comprueba_hoja(clase, notas):
-    """Columna a columna: cambian la nota y el comentario de quien ha entregado."""
-    una, otra = (celdas(clase.with_name(f"hoja{que}.csv").read_bytes()) for que in ("", "-con-notas"))
+    """La nota y el comentario de quien ha entregado; lo demás de la hoja, en aula_test.py."""
     de_cada = {str(2000 + ord(nombre[0])): nota for nombre, nota in notas.items()}
-    assert una[0] == otra[0] == COLUMNAS
-    for antes, ahora in zip(una[1:], otra[1:], strict=True):
-        nota = de_cada.get(antes[0].split()[1])
-        assert {i for i, (a, b) in enumerate(zip(antes, ahora)) if a != b} == (set() if nota is None else {4, 9})
-        if nota is not None:
-            assert float(ahora[4].replace(",", ".")) == pytest.approx(nota / 10, abs=0.0006)
-            assert ahora[9].startswith(f"<p>{nota:g} de 100")
+    filas = celdas(clase.with_name("hoja-con-notas.csv").read_bytes())[1:]
+    assert len(filas) == len(notas) + 2
+    for quien_es, *_, nota, _, _, _, _, dice in filas:
+        suya = de_cada.get(quien_es.split()[1])
+        assert (nota, dice) == ("-", "") if suya is None else dice.startswith(f"<p>{suya:g} de 100"), quien_es
+        assert suya is None or float(nota.replace(",", ".")) == pytest.approx(suya / 10, abs=0.0006)
 
 
 def comprueba_pagina(pagina, todas):

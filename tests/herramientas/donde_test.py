@@ -35,13 +35,10 @@ def nudos(que, ruta=()):
 
 
 def con(que, ruta, otro):
-    nuevo = copy.deepcopy(que)
     if not ruta:
         return otro
-    dentro = nuevo
-    for clave in ruta[:-1]:
-        dentro = dentro[clave]
-    dentro[ruta[-1]] = otro
+    nuevo = copy.copy(que)
+    nuevo[ruta[0]] = con(que[ruta[0]], ruta[1:], otro)
     return nuevo
 
 

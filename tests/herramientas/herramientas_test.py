@@ -26,7 +26,7 @@ from galeria.pagina import AQUI as GALERIA, MODULOS, PaginaGaleria
 from informe import cocientes, costes, grafica, informe, tecnicas
 from web import pagina as de_la_pagina, taller
 from windows import fuentes as de_windows, paquete
-from mentira import BUILD, RAIZ, siembra
+from mentira import BUILD, RAIZ, espera_a, siembra
 
 FUENTES = [f for f in RAIZ.glob("c*/**/*.*") if f.suffix in (".cpp", ".h", ".vert", ".frag", ".glsl")]
 LEEN = r'"((?:assets|common|ch\d\d_\w+)/[\w.]+\.(?:vert|frag|glsl|vf|txt|rgb|r8))"'
@@ -87,11 +87,9 @@ def test_lo_que_no_acaba_a_tiempo_no_deja_nietos(tmp_path, no_quiere):
         orden = ["sh", "-c", f"{no_quiere} sleep 20 & echo $! >{tmp_path}/nieto; wait; sleep 20"]
         procesos.ejecuta(orden, timeout=0.5)
     assert time.monotonic() < antes + 15  # ni lo espera
-    for _ in range(100):  # de lo que ha acabado está vacío, aunque en un contenedor no lo recoja nadie
-        if not subprocess.getoutput(f"cat /proc/$(cat {tmp_path}/nieto)/cmdline 2>/dev/null"):
-            return
-        time.sleep(0.02)
-    pytest.fail("el nieto sigue en marcha")
+    # de lo que ha acabado está vacío, aunque en un contenedor no lo recoja nadie
+    orden = f"cat /proc/$(cat {tmp_path}/nieto)/cmdline 2>/dev/null"
+    assert espera_a(lambda: not subprocess.getoutput(orden), 2), "el nieto sigue en marcha"
 
 
 def test_escribe_entero_o_nada(tmp_path):
@@ -502,8 +500,6 @@ EN_BREVE = {
     "boton DERECHO abajo 1 2; arrastra 3 4; boton IZQUIERDO abajo 1 2": "arrastra con el botón derecho; haz clic",
     "menu Vista/Perfil; mueve 1 2; mueve 3 4": "elige en el menú Vista → Perfil; mueve el ratón",
 }
-
-
 ORDENES = {
     "tecla d ×7": "pulsa d 7 veces",
     "boton DERECHO abajo 3 4": "pulsa el botón derecho en 3, 4",
@@ -564,7 +560,7 @@ def test_cada_ejercicio_con_lo_que_pide_y_su_respuesta():
         assert (codigo[0] not in "E§") or (len(cosa.enunciado) > 20 and suyo.respuestas.get(codigo)), codigo
 
 
-# --- colores ------------------------------------------------------------------------------------------------------
+# --- controles ----------------------------------------------------------------------------------------------------
 
 
 CONTROLES = """

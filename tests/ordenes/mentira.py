@@ -2,6 +2,7 @@
 import os
 import shutil
 import subprocess
+import time
 from pathlib import Path
 
 RAIZ = Path(__file__).parents[2]
@@ -33,6 +34,14 @@ def ejecutable(fichero, guion):
     fichero.unlink(missing_ok=True)
     fichero.write_text(f"#!/bin/sh\n{guion}\n")
     fichero.chmod(0o755)
+
+
+def espera_a(que, segundos=30):
+    """Lo que da, en cuanto da algo o pasan esos segundos."""
+    limite = time.monotonic() + segundos
+    while not (dado := que()) and time.monotonic() < limite:
+        time.sleep(0.02)
+    return dado
 
 
 def faltan(texto, *partes):

@@ -171,9 +171,8 @@ test('todo se encuentra: cada nombre, título, referencia, pie, tecla e identifi
       if (clase !== 'libro') continue;
       const [, letra, numero] = enlace.match(/^(\D+)(.*)$/);
       const larga = CLASES[letra], escritos = [`${larga} ${numero}`, `${larga.slice(0, 3)}. ${numero}`];
-      for (const buscado of [enlace, enlace.toLowerCase(), ...escritos]) {
+      for (const buscado of [enlace, enlace.toLowerCase(), ...escritos])
         assert.equal(lo(buscado)?.enlace, enlace, buscado);
-      }
     }
     for (const ruta of fuentes) {
       const codigo = readFileSync(`${raiz}/${ruta}`, 'utf8').replace(/"[^"\n]*"|\/\/.*|\/\*[^]*?\*\//g, ' ');
@@ -201,12 +200,6 @@ test('cómo se lee lo que se busca, y qué trozo se enseña', () => {
       assert.equal(hallado, /cámara/.test(texto) && buscado !== 'x' ? 'cámara' : '');
     }
   }
-});
-
-test('los ficheros, en su orden', () => {
-  const desordenadas = 'ch03_a/b.h ch05_b/a.frag ch03_a/c.glsl ch03_a/b.cpp ch03_a/b.h ch03_a/a.vert';
-  tabla((rutas, capitulo) => ordenaFuentes(rutas.split(' '), capitulo).join(' '),
-    [desordenadas, 'ch03_a', 'ch03_a/a.vert ch03_a/c.glsl ch03_a/b.cpp ch03_a/b.h ch05_b/a.frag']);
 });
 
 test('los enlaces: van y vuelven, y de los malos no se queja la página', () => {
@@ -405,11 +398,13 @@ test('dos imágenes: qué parte coincide, y dónde no', () => {
   tabla(porciento, [1, '100\u00a0%'], [0.99999, '99.9\u00a0%'], [0.9, '90\u00a0%'], [0, '0\u00a0%']);
 });
 
-test('los ejercicios: lo guardado y sus ficheros', () => {
+test('los ejercicios: lo guardado y sus ficheros, y todos, en su orden', () => {
   tabla(texto => [...leeResueltos(texto)].join(' '),
     ['L5.1 L12.1 mi_ejercicio', 'L5.1 L12.1 mi_ejercicio'], ['', ''], [null, ''], ['{"a": 1} L5 <b> L5.1', 'L5.1']);
   tabla((suyos, rutas) => delEjercicio(suyos, rutas.split(' ')).join(' '),
     [['c/a.vert'], 'c/b.frag c/a.frag c/a.vert c/p.glsl c/a.cpp c/a.h', 'c/a.vert c/a.frag c/p.glsl']);
+  tabla((rutas, capitulo) => ordenaFuentes(rutas.split(' '), capitulo).join(' '),
+    ['c/b.h d/a.frag c/c.glsl c/b.cpp c/b.h c/a.vert', 'c', 'c/a.vert c/c.glsl c/b.cpp c/b.h d/a.frag']);
 });
 
 test('la carpeta, en un .zip que se lee con cualquiera', async () => {
@@ -494,7 +489,7 @@ test('los errores de los shaders, y de cada cosa que dice clang, si es un error'
   assert.ok(performance.now() - desde < 5000);
 });
 
-test('tallas, imágenes y lo guardado', () => {
+test('tallas, imágenes, lo guardado y un número, como se lee', () => {
   tabla((width, height, densidad) => Object.values(tallaDe({ width, height }, densidad)),
     [240, 180, 1, [240, 180]], [240.4, 180, 1.5, [361, 270]], [240, 180, 3, [480, 360]], [0, 0, undefined, [1, 1]],
     [9000, 6750, 1, [4096, 3072]], [5000, 1, 2, [4096, 1]]);
@@ -507,9 +502,6 @@ test('tallas, imágenes y lo guardado', () => {
   tabla(corta, ['abc', 3, 'abc'], ['abcd', 3, 'abc…'], ['', 0, '']);
   assert.deepEqual(leeCambios('[["a.frag","x"]]'), [['a.frag', 'x']]);
   tabla(leeCambios, ...[null, '', '{', '{}', '[1]', '[["a"]]', '[["a", 1]]', 'null'].map(malo => [malo, []]));
-});
-
-test('un número, como se lee', () => {
   tabla(n => cifra(n), [0.123456, '0.1235'], [-2, '−2'], [NaN, 'NaN'], [-Infinity, '−∞'], ['-nan', 'NaN'], ['inf', '∞'],
     [1e-7, '1e−7']);
 });

@@ -247,14 +247,6 @@ const adversidades = {
     await p.acaba('un programa que no lee ninguno', () => /no lee ficheros/.test(aviso));
   },
 
-  'una ventana diminuta y una enorme': async p => {
-    for (const [talla, ancho] of [['width: 1px; height: 1px', 1], ['width: 9000px; height: 6750px', 4096],
-      ['width: 240px; height: 180px', 240]]) {
-      await p.abre('#grua', talla);
-      await p.acaba(talla, ancho => sesion?.lienzo.width === ancho && sesion.vivo, ancho);
-    }
-  },
-
   'el contexto perdido, y devuelto': async p => {
     await p.abre('#grua;tecla d ×7');
     await p.da(() => {
@@ -310,18 +302,6 @@ const pagina = {
       await p.acaba(`el índice señala adónde lleva ${enlace}`, marcado => una('#no-esta').hidden &&
         una('.programas [aria-current]')?.hash === marcado, marcado);
     }
-  },
-
-  'de cada fichero que se enseña está su texto': async p => {
-    await p.abre('#grua');
-    assert.deepEqual(await p.da(async () => {
-      const rutas = new Set(JSON.parse(una('#programas').textContent).flatMap(q => q.fuentes)), vacios = [];
-      for (const ruta of rutas) {
-        await editor.abre(ruta);
-        if (!cm.getValue().trim()) vacios.push(ruta);
-      }
-      return vacios;
-    }), []);
   },
 
   'nada se sale, y se ve lo que hay que ver': async p => {

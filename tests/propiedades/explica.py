@@ -1,18 +1,7 @@
 """explica.py RAÍZ BUILD [PROGRAMA…] [--pixeles N] [--casos] [--enlace ENLACE]: lo que se pide de ./lab explica en el
-caso base de cada programa, o en todos sus casos, en N píxeles al azar, siempre los mismos:
-
-- el programa acaba bien, sin errores de OpenGL, y la imagen es la misma que sin explicarla;
-- el color que se da de cada píxel es el de la imagen, y el último que escribe en la ventana su historia, también;
-- cada mezcla, hecha otra vez con el color del shader, da lo que queda, a nivel y medio;
-- el shader, línea a línea, da ese mismo color, y lo que le llega es lo que sale de mezclar sus vértices (a 1e-5);
-- lo que lee de una textura es la suma de los texels que se dicen, con su peso;
-- no se sospecha nada de ninguno;
-- entre dos sucesos de la historia de un framebuffer nadie más cambia el píxel, ni lo cambia el que no escribe;
-- lo que pasa o no un test sale de comparar lo que pide con lo que había, lo copiado es lo que había donde se dice, y
-  el que gana es el último;
-- lo que se dice de cada orden es lo que OpenGL contesta a quien se lo pregunta (preguntado.py);
-- la línea del programa que se dice de cada orden y de cada uniform es de uno suyo, y nombra lo que se dice que llama;
-- quien escribe cambia los canales que deja glColorMask y, si no mezcla, por los de su color.
+caso base de cada programa, o en todos sus casos, en N píxeles al azar, siempre los mismos: que el programa acabe bien,
+que la imagen sea la misma que sin explicarla, que no se sospeche nada de ninguno, que lo que se dice de cada orden sea
+lo que OpenGL contesta a quien se lo pregunta (preguntado.py) y lo que dice cada fallos_de….
 
 Sin decir el enlace, con el que se usa sin ventana y, si hay otro, uno de cada diez programas con él. Estado 1 si algo
 no se cumple.
@@ -140,6 +129,8 @@ def fallos_de_lo_que_falta(suceso, canales):
 
 
 def fallos_de_historia(historia, canales):
+    """Entre dos sucesos de un framebuffer nadie más cambia el píxel, ni lo cambia el que no escribe; lo copiado es lo
+    que había donde se dice, y cada mezcla, hecha otra vez con el color del shader, da lo que queda, a nivel y medio."""
     queda = {}
     for suceso in historia:
         antes, despues = suceso["antes"], suceso["despues"]
@@ -165,7 +156,7 @@ def fallos_de_historia(historia, canales):
 
 
 def fallos_de_sombreado(explicado):
-    """Del fragmento que gana, línea a línea."""
+    """El fragmento que gana, línea a línea, da su color, y le llega lo que sale de mezclar sus vértices (a 1e-5)."""
     sombreado = explicado.get("sombreado")
     orden, primitiva = quien_gana(explicado["historia"], explicado["framebuffer"])
     gana = (sombreado["orden"], sombreado["primitiva"]) if sombreado else (orden, None)
@@ -224,6 +215,7 @@ def canales_de(cuadro):
 
 
 def fallos_de_pixel(explicado, imagen, canales):
+    """El color que se da es el de la imagen, y el último que escribe en la ventana su historia, también."""
     x, y = explicado["pixel"]
     suyo = list(imagen[3 * (y * ANCHO + x) :][:3])
     escritos = [s["despues"] for s in explicado["historia"] if s["framebuffer"] == 0 and s["veredicto"] == "escrito"]

@@ -182,11 +182,8 @@ class Programa:
 
 def arrastre(x0, y0, x1, y1, boton="IZQUIERDO", pasos=1):
     puntos = [(round(x0 + (x1 - x0) * k / pasos), round(y0 + (y1 - y0) * k / pasos)) for k in range(pasos + 1)]
-    return [
-        f"boton {boton} abajo {x0} {y0}",
-        *(f"arrastra {x} {y}" for x, y in puntos[1:]),
-        f"boton {boton} arriba {x1} {y1}",
-    ]
+    lleva = [f"arrastra {x} {y}" for x, y in puntos[1:]]
+    return [f"boton {boton} abajo {x0} {y0}", *lleva, f"boton {boton} arriba {x1} {y1}"]
 
 
 CONTRARIAS = [set(par.split()) for par in ("+ -", "a d", "q e", "w s", ", .", "u U", "i o", "w x", "b n")]

@@ -1,16 +1,12 @@
 #include "ejecuta.h"
 #include "oraculo/compara.h"
+#include "rutas.h"
 #include <sys/wait.h>
 #include <unistd.h>
 
 namespace fs = std::filesystem;
 
 namespace {
-
-std::string contenido(const fs::path &ruta) {
-    std::ifstream f(ruta, std::ios::binary);
-    return {std::istreambuf_iterator<char>(f), {}};
-}
 
 std::string entreComillas(const std::string &texto) {
     std::string s = "'";
@@ -155,8 +151,8 @@ Ejecucion ejecutaEn(const fs::path &carpeta, const std::string &entorno, const s
     Ejecucion e;
     const int estado = std::system(orden.c_str());
     e.estado = WIFEXITED(estado) ? WEXITSTATUS(estado) : 128 + WTERMSIG(estado);
-    e.salida = contenido(carpeta / "salida");
-    e.errores = contenido(carpeta / "errores");
+    e.salida = leeFichero(carpeta / "salida");
+    e.errores = leeFichero(carpeta / "errores");
     if (fs::exists(carpeta / "imagen.ppm"))
         e.imagen = leePpm((carpeta / "imagen.ppm").string());
     return e;
