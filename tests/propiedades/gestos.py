@@ -42,7 +42,7 @@ def topes(p):
         if antes != una != otra:
             yield "tope", f"con «{pasos[0]}» no se ha llegado al tope: con «{pasos[1]}» se mueve"
         if vistas[-1] != ultima and (ultima == aun_mas) != (f"{p.nombre}\tarrastra {lado}" in TOPES):
-            yield "tope", f"hacia «{lado}», {'' if ultima == aun_mas else 'no '}hay tope, y {GOLDEN.name} dice otra cosa"
+            yield "tope", f"hacia «{lado}» {'' if ultima == aun_mas else 'no '}hay tope, y {GOLDEN.name} dice otra cosa"
         cambian = [distintos(a, b) for a, b in zip([otra, *vistas], vistas)]
         if any(b > 3 * max(a, c) + SALTO for a, b, c in zip(cambian, cambian[1:], cambian[2:])):
             yield "salto", f"al volver poco a poco de donde lleva «{pasos[1]}» hay un salto: {cambian}"
