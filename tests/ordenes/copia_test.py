@@ -149,12 +149,17 @@ def test_un_programa_mas(lab):
     for f in lab.raiz.glob("ch01_intro/shader_basico.*"):
         f.with_stem("nuevo").write_text(f.read_text().replace("shader_basico", "nuevo"))
     lab.anade("ch01_intro/catalogo.toml", PROGRAMA.format("nuevo", "E1.2", "Cuatro", "Es nuevo"))
-    lab("galeria", 0, "ch01_intro/nuevo: 1 imagen")
-    assert not faltan((lab.raiz / "galeria/index.html").read_text(), '<article id="nuevo">', "Es nuevo")
+    lab.cambia("ch01_intro/nuevo.cpp", r"\A", "#include <cstdio>\n")
+    lab.cambia("ch01_intro/nuevo.cpp", "    glutMainLoop", '    std::puts("dice algo");\n    glutMainLoop')
+    for dice in "1 imagen", "sin cambios":
+        lab("galeria", 0, f"ch01_intro/nuevo: {dice}")
+        pagina = (lab.raiz / "galeria/index.html").read_text()
+        assert not faltan(pagina, '<article id="nuevo">', "Es nuevo", "dice algo"), dice
     lab("ver E1.2", 0, "lo he dibujado en nuevo.png")
     lab.cambia("ch01_intro/nuevo.cpp", "^// Controles: .*", "// Controles: k mueve algo.")
     lab("ver E1.2")
     lab("nuevo shader_basico mio")
+    lab.cambia("mios/mio/mio.cpp", r"\A", "static int aun_no_la_usa;\n")  # a quien aprende, un aviso no lo para
     lab("ver mios/mio", 0, "lo he dibujado en mio.png")
     assert "mueve algo" in (lab.raiz / "build/controles/nuevo.cpp").read_text()
 
