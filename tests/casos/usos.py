@@ -91,9 +91,8 @@ def fallos_de_error(build, carpeta, entorno, debe):
         return [f"no se dice «{suyo}» sino «{dicha}»"]
     for pide in re.findall(r"Pide el píxel (\d+) (\d+)", dicha):
         cuadro, dice = explicado(build, carpeta, pide, entorno)
-        raro = next(
-            s for s in cuadro["sombreado"]["fragmento"]["lineas"] if any(isinstance(n, str) for n in s["valor"])
-        )
+        lineas = cuadro["sombreado"]["fragmento"]["lineas"]
+        raro = next(s for s in lineas if any(isinstance(n, str) for n in s["valor"]))
         primero = f"lo primero que no es un número: {raro['fichero']}:{raro['linea']}: "
         if primero not in dice or f"aviso: {dicha}" not in dice:
             return [f"en {pide} no hay nada raro"]

@@ -2,8 +2,6 @@
 // ./lab corrige (notas.py), con los mismos guiones.
 import assert from 'node:assert/strict';
 import { haceZip } from '../../herramientas/web/carpeta.mjs';
-import { leeEnlace } from '../../herramientas/web/enlaces.mjs';
-import { leeGuion } from '../../herramientas/web/guiones.mjs';
 import { redondea } from '../../herramientas/web/nota.mjs';
 import { dePython, enNavegadores } from './navegador.mjs';
 
@@ -19,15 +17,6 @@ async function nota(datos) {
   const { nota, piezas = [], dice = [] } = await pagina.correccion.hazla(visto.ejercicio) ?? {};
   return [nota ?? una('.correccion').textContent, ...piezas.map(p => 100 * p.parte),
     ...dice.filter(d => d.startsWith('parece '))];
-}
-
-/// «Verlo» repite lo que falla, y el ratón va por donde fue.
-async function seVe(p) {
-  const { guion } = leeEnlace(await p.da(() => una('.correccion a')?.hash ?? ''));
-  const debe = leeGuion(guion ?? '').ordenes.map(o => o.orden).filter(o => o.startsWith('boton')).join();
-  if (!debe) return;
-  await p.pulsa('.correccion button', 'Verlo');
-  await p.acaba(`se ve ${debe}`, debe => hecho?.ordenes.filter(o => o.startsWith('boton')).join() === debe, debe);
 }
 
 /// Esos ficheros, con los finales de línea de Windows, en un .zip que se suelta en ella.
@@ -46,7 +35,6 @@ enNavegadores(['chromium'], Object.fromEntries(Object.keys(pregunta('programas')
     for (const [nombre, { ficheros, nota: suya, piezas, dice }] of Object.entries(entregas)) {
       await suelta(p, ficheros);
       notas[nombre] = (await p.da(nota, datos)).map(uno => Number.isFinite(uno) ? redondea(uno) : uno);
-      await seVe(p);
       debe[nombre] = [suya, ...piezas.map(p => p.nota), ...dice];
     }
     assert.deepEqual(notas, debe);
