@@ -26,8 +26,6 @@ def entregas(c):
     hechas |= {"con otro fondo": otro_fondo} if otro_fondo != c.banco.dados[1] else {}
     for m in (*bien, *mal[:: max(1, -(-len(mal) // ERRORES))]):
         hechas[f"{m.nombre}, {m.imita}"] = con_sus_marcas(c, c.banco.motivos.estropeados(m))
-    for par in c.banco.motivos.pares([m for m in mal if m.dice])[: nuevo.es_de_shaders(c.ref)]:
-        hechas[" y ".join(m.nombre for m in par)] = con_sus_marcas(c, c.banco.motivos.estropeados(*par))
     return hechas
 
 
