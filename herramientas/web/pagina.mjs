@@ -118,13 +118,12 @@ async function corrige() {
   return correccion.hazla(visto.ejercicio);
 }
 
-/// Hace algo con lo escrito, apuntado hasta que se ve: leer un píxel espera a que esté dibujado.
+/// Hace algo con lo escrito, apuntado hasta que se ve: leer un píxel, que es lo que hace la sesión, espera a eso.
 async function conCuidado(hace) {
   const { taller } = visto;
   taller.dibuja(true);
   await hace();
-  const { lienzo, vacio } = escena.sesion ?? {}; // uno vacío no tiene OpenGL, ni nadie que lo suelte
-  if (!vacio) lienzo?.getContext('webgl2')?.readPixels(0, 0, 1, 1, 0x1908, 0x1401, new Uint8Array(4)); // RGBA, bytes
+  escena.sesion?.acabaDeDibujar?.();
   taller.dibuja(false);
   if (taller.aparte && visto.taller === taller)
     avisa('Con lo escrito en los shaders la página dejó de responder: esto es sin ello, hasta que lo cambies.');

@@ -113,6 +113,7 @@ export async function arranca(programa, { lienzo, ancho, alto, textos = {}, fich
     },
     opciones: () => estado ? [] : lab.ccall('glutOpciones', 'string').split('\n').filter(Boolean),
     redibuja: () => da(() => lab.ccall('glutRedibuja')), // el mismo cuadro
+    acabaDeDibujar: () => lienzo.getContext('webgl2')?.readPixels(0, 0, 1, 1, 0x1908, 0x1401, new Uint8Array(4)),
     /// El cuadro que se ve, explicado, y, si se da, ese píxel suyo: herramientas/explica/cuadro.h.
     async explica([x, y] = [-1, -1]) {
       lab.hasta = Infinity; // lo dibuja muchas veces, y ya se ha visto que acaba

@@ -191,11 +191,11 @@ def test_la_nota_es_la_parte_de_los_guiones_que_salen_bien():
 # un hueco, y lo que vale, que de tres guiones se ve en uno
 HECHOS = dict.fromkeys(("bien;", "bien ( );", "usa(bien);"), 1) | dict.fromkeys(("// nada", "como si nada;"), 0)
 HECHOS |= dict.fromkeys(("mal;", "usa(mal);"), 2 / 3)
+PIEZAS = {}  # lo que se recuerda de cada una, que es de toda la clase
 
 
-def por_piezas(carpeta, entregado, huecos=50, pesos="iguales", piezas={}):
-    """La corrección de esos tres huecos, en un mundo en que el guion i solo ve el i. Lo que usa() está fuera. Todas
-    las de una clase comparten lo que se recuerda de cada pieza."""
+def por_piezas(carpeta, entregado, huecos=50, pesos="iguales"):
+    """La corrección de esos tres huecos, en un mundo en que el guion i solo ve el i. Lo que usa() está fuera."""
     solucion = marcado(*["// de partida: // nada\nbien;"] * 3)
     trozos = [("p.cpp", t) for t in marcas.TROZO.finditer(solucion)]
     jugador = lambda textos, c: partidas.Jugador("", None, [c / "fuentes"], {"es": textos}, True, ["p.cpp"])
@@ -215,7 +215,7 @@ def por_piezas(carpeta, entregado, huecos=50, pesos="iguales", piezas={}):
 
     arbitro = SimpleNamespace(juega=juega, parecido=lambda una, otra: BIEN * (una == otra))
     arbitro.difiere = lambda *p: Arbitro.difiere(arbitro, *p)
-    comun = {"ref": REF, "sin_solucion": "", "sin_hacer": lambda: None, "piezas": piezas, "temporal": carpeta}
+    comun = {"ref": REF, "sin_solucion": "", "sin_hacer": lambda: None, "piezas": PIEZAS, "temporal": carpeta}
     banco = SimpleNamespace(**comun, arbitro=arbitro, reglas=Reglas(huecos=huecos, pesos=pesos))
     banco.todos = [Guion(str(i), ()) for i in range(3)]
     banco.motivos = SimpleNamespace(trozos=lambda: trozos, textos=lambda: {"p.cpp": solucion}, limpio=lambda t: t)
