@@ -215,10 +215,13 @@ export class Escena {
   /// repite todo.
   #siSePierde(lienzo) {
     lienzo.addEventListener('webglcontextlost', suceso => {
-      if (this.sesion?.lienzo !== lienzo) return;
+      const perdida = this.sesion;
+      if (perdida?.lienzo !== lienzo) return;
       suceso.preventDefault();
       lienzo.addEventListener('webglcontextrestored', () => {
-        if (!lienzo.isConnected) return;
+        const seVe = lienzo.isConnected;
+        perdida.cierra(); // se dibuja en otro, y lo devuelto es de este
+        if (!seVe) return;
         this.repite().then(() => avisa('El navegador ha devuelto la tarjeta gráfica: todo sigue donde estaba.'));
       });
       this.#turno++;

@@ -84,7 +84,7 @@ def test_sin_pruebas_no_se_prueba(lab, orden):
 def test_nuevo_y_corrige(lab):
     lab("nuevo E3.5 x", dice="/mios/x")
     for como in "x", "mios/x", "./mios/x/", "mios/x/x.cpp", f"{RAIZ}/mios/x", f"{RAIZ}/mios/x/x.cpp":
-        lab(f"ver {como} -ppm f.ppm")
+        lab(f"ver {como} --vigila -ppm f.ppm")
         assert lab.deja("f.ppm", b"P6")
     lab("corrige x --guiones 1", 1, "x, E3.5: 0 de 100 (")
     assert "punto de partida" in (lab.sitio / "mios/x/correccion/index.html").read_text()

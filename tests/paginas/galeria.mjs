@@ -13,6 +13,7 @@ const DIRECCIONES = [...CAPITULOS, ...PROGRAMAS].map(e => e.nombre)
   .concat(...REFERENCIAS, CASOS.map(c => c.fichero));
 const aMano = (d, i) => /^ch\d/.test(d) ? ['', 'cap', 'ch'][i % 3] + +d.slice(2, 4) : i % 9 ? d : d.toLowerCase();
 
+const deReferencia = d => PROGRAMAS.find(q => q.ref.split(' ').includes(d))?.nombre; // el primero
 /// La imagen de ese caso, en grande.
 const amplia = (p, id) => p.da(id => {
   const figura = document.getElementById(id);
@@ -154,7 +155,7 @@ const enLosDos = {
       await p.talla(ancho, 800);
       assert.deepEqual(await p.da(async pedidas => {
         const mal = [];
-        for (const [pedida, escrita] of pedidas) {
+        for (const [pedida, escrita, quien] of pedidas) {
           location.hash = '#' + escrita;
           const e = document.getElementById(pedida), suyo = e?.closest('article, .capitulo').id;
           const primero = e?.matches('.capitulo') && una('article', e).id; // su título puede quedar por encima
@@ -167,12 +168,12 @@ const enLosDos = {
             const hay = e && document.elementFromPoint(r.x + Math.min(9, r.width / 2), r.y + Math.min(9, r.height / 2));
             const seVe = e?.closest('article, .capitulo').contains(hay); // lo que hay ahí es suyo, y no la barra
             bien = seVe && (final || (r.top > -2 && r.top < innerHeight * 0.15)) && una('#no-esta').hidden &&
-              [suyo, primero].includes(senalado) && decodeURIComponent(location.hash) === '#' + pedida;
+              [quien ?? suyo, primero].includes(senalado) && decodeURIComponent(location.hash) === '#' + pedida;
           }
           if (!bien) mal.push([escrita, r?.top, senalado]);
         }
         return mal;
-      }, pedidas.map((d, i) => [d, aMano(d, i)])), [], ancho);
+      }, pedidas.map((d, i) => [d, aMano(d, i), deReferencia(d)])), [], ancho);
     }
     for (const nada of ['no_esta', 'L99.1', '%', 'a'.repeat(1000)]) {
       await p.va('#' + nada);

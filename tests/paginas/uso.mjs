@@ -50,6 +50,10 @@ const entradas = {
     await p.pagina.mouse.move(...await p.punto(-40, 90), { steps: 4 });
     await p.pagina.mouse.up();
     await p.acaba('soltado fuera, se suelta', () => hecho.ordenes.at(-1) === 'boton IZQUIERDO arriba -40 90');
+    await p.talla(1280, 900, 2); // de una pantalla densa, sus píxeles
+    await p.abre('#grua');
+    await p.pagina.mouse.click(...await p.punto(100, 90));
+    await p.acaba('donde se pulsa', () => /arriba (199|200|201) (179|18[01])$/.test(hecho.ordenes.at(-1)));
   },
 
   'un enlace con ratón, en una ventana de otra forma': async p => {
@@ -234,10 +238,13 @@ const adversidades = {
     await p.abre('#mezcla');
     const fotos = ['foto', 'otra'].map(foto => `${tmpdir()}/${foto}.ppm`), campo = await p.pagina.$('.fichero input');
     for (const foto of fotos) writeFileSync(foto, 'P6 2 1 255\nabcdef');
-    for (const vez of [1, 3]) { // las mismas, con el botón: el navegador no avisa si el campo no queda vacío
-      await campo.uploadFile(...fotos);
+    for (const [vez, ...veces] of [[1, fotos], [3, [fotos[0]], [fotos[1]]]]) { // las mismas, juntas y de una en una
+      for (const suyas of veces) {
+        await campo.uploadFile(...suyas);
+        await p.acaba('queda vacío, o el navegador no avisa', () => una('.fichero input').value === '');
+      }
       await p.acaba(`la vez ${vez}`, vez => sesion?.leidos.has(`/propias/${vez}-foto.ppm`) &&
-        sesion.leidos.has(`/propias/${vez + 1}-otra.ppm`) && una('.fichero input').value === '', vez);
+        sesion.leidos.has(`/propias/${vez + 1}-otra.ppm`), vez);
     }
     await p.abre('#malla_vf');
     await p.suelta('nada.vf', Buffer.from('no'));
