@@ -8,8 +8,7 @@ from pathlib import Path
 from base import defectos, libro, marcas
 from base.guiones import en_palabras
 from ejercicios import nuevo, propios, reglas
-from ejercicios.corrige import piezas as corrige_piezas
-from ejercicios.corrige import shaders
+from ejercicios.corrige import piezas as corrige_piezas, shaders
 from ejercicios.corrige.banco import guiones
 from ejercicios.corrige.motivos import Motivos, que_dice
 

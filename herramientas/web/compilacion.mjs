@@ -19,8 +19,7 @@ export class Compilacion {
   /// `visto()` es lo que se ve; cuando hay algo que enseñar llama a `alDecir()`, y si ha salido, a `alCompilar()`.
   constructor({ visto, alDecir, alCompilar, vaA }) {
     Object.assign(this, { visto, alDecir, alCompilar, vaA });
-    if (!SE_COMPILA) return;
-    compila.textContent = `Compilar (la primera vez se traen ${cuantoPesa()})`;
+    if (SE_COMPILA) compila.textContent = `Compilar (la primera vez se traen ${cuantoPesa()})`;
   }
 
   /// El módulo del programa, si se ha compilado, mientras haya algo escrito en los fuentes; de un ejercicio, siempre.

@@ -49,10 +49,5 @@ export function leeDicho(dicho, fuentes) {
       incluido = undefined;
     }
   }
-  const sale = new Set(); // una cabecera se compila en varios fuentes
-  return salen.filter(d => {
-    const cual = JSON.stringify(d), nuevo = !sale.has(cual);
-    sale.add(cual);
-    return nuevo;
-  });
+  return [...new Map(salen.map(d => [JSON.stringify(d), d])).values()]; // una cabecera se compila en varios fuentes
 }

@@ -16,13 +16,10 @@ from xml.etree import ElementTree
 
 import pytest
 
-from banco import BUILD, MOODLE, RAIZ, REF
-from banco import banco_falso, carpeta_de, con_catalogo, en_tar, en_zip
+from banco import BUILD, MOODLE, RAIZ, REF, banco_falso, carpeta_de, con_catalogo, en_tar, en_zip
 from base import catalogo, defectos, procesos
 from ejercicios import nuevo
-from ejercicios.corrige import aula
-from ejercicios.corrige import clase as de_clase
-from ejercicios.corrige import conjunto, entrega, hoja, informes, orden, parecidos
+from ejercicios.corrige import aula, clase as de_clase, conjunto, entrega, hoja, informes, orden, parecidos
 from ejercicios.reglas import Reglas
 from copias import copia
 from mentira import faltan, siembra
@@ -155,9 +152,6 @@ def revuelta():
     yield "muchísimos", {"p.cpp": P, "p.h": "", **de_npm, **{f"z/{i}": "" for i in range(4600)}}, "p.cpp p.h"
 
 
-NO_SON_ENTREGAS = "plantilla.cpp", ".git/x.cpp", "__MACOSX/ana/p.cpp", "correccion/p.cpp", "Thumbs.db", "notas.csv"
-
-
 def sembrada(sitio, como):
     """Esa clase, y cómo se llama cada uno: una carpeta con las de todos; o el .zip de todos, de Moodle, con lo de cada
     uno o con su .zip."""
@@ -176,7 +170,8 @@ def sembrada(sitio, como):
         else:
             miembros.append((f"{suyo}x.zip", ficheros.get("x.zip") or en_zip(*ficheros.items())))
     if not miembros:
-        siembra(sitio, dict.fromkeys(NO_SON_ENTREGAS, "int main() {}"))
+        no_son = "plantilla.cpp", ".git/x.cpp", "__MACOSX/ana/p.cpp", "correccion/p.cpp", "Thumbs.db", "notas.csv"
+        siembra(sitio, dict.fromkeys(no_son, "int main() {}"))
         return sitio, llamados
     sitio.with_suffix(".zip").write_bytes(en_zip(*miembros))
     return sitio.with_suffix(".zip"), llamados
@@ -386,16 +381,14 @@ def celdas(datos, como="utf-8", marca=b"", separador=","):
     return list(csv.reader(io.StringIO(datos[len(marca) :].decode(como), newline=""), delimiter=separador))
 
 
-QUIENES = ("Otro nombre_1001", "x"), ("Grupo A_7", "x"), ("Eva_9", "Eva")
-
-
 @pytest.mark.parametrize("cual", HOJAS)
 def test_la_hoja_de_moodle_se_queda_como_estaba(tmp_path, cual):
     """Leída otra vez, columna a columna; y lo que no se pone, byte a byte."""
     columnas, escrita, como, marca = HOJAS[cual]
     fichero, de_grupos = tmp_path / "hoja.csv", "Group" in columnas
     fichero.write_bytes(antes := marca + una_hoja(columnas, **escrita).encode(como))
-    quienes = {f"{nombre}{MOODLE}": quien for nombre, quien in QUIENES[de_grupos:]}
+    son = ("Otro nombre_1001", "x"), ("Grupo A_7", "x"), ("Eva_9", "Eva")
+    quienes = {f"{nombre}{MOODLE}": quien for nombre, quien in son[de_grupos:]}
     suya = hoja.Hoja(fichero, quienes)
     assert suya.escribe().read_bytes() == antes  # sin notas es la misma
     for nombre, quien in quienes.items():

@@ -27,10 +27,8 @@ from base import catalogo, guiones, marcas, procesos
 from base.defectos import Mutante
 from base.fuentes import SHADERS
 from ejercicios import nuevo, reglas
-from ejercicios.corrige import clase as de_clase
-from ejercicios.corrige import compilador, entrega, informes, injerto, jaula, lector, motivos
-from ejercicios.corrige import orden as orden_
-from ejercicios.corrige import partidas, veredicto
+from ejercicios.corrige import clase as de_clase, compilador, entrega, informes, injerto, jaula, lector, motivos
+from ejercicios.corrige import orden as orden_, partidas, veredicto
 from ejercicios.corrige.arbitro import BIEN, CASI, Arbitro, aparte
 from ejercicios.corrige.banco import Banco
 from ejercicios.corrige.partidas import Guion, Partida
@@ -688,12 +686,12 @@ def test_en_ubuntu_se_dice_como_se_arregla(tmp_path, monkeypatch):
         assert ("sysctl kernel.apparmor" in jaula.por_apparmor()) == dice
 
 
-@pytest.mark.skipif(not GRUA.exists(), reason="no está compilado")
 def test_lo_que_guardo_otro_editor_dice_lo_mismo():
     for como in ("utf-8", "cp1252", "utf-16"):
         assert lector.en_utf8("// Grúa «ñandú», de 3 €".encode(como)).decode() == "// Grúa «ñandú», de 3 €"
 
 
+@pytest.mark.skipif(not GRUA.exists(), reason="no está compilado")
 def test_un_shader_con_bom_es_el_mismo(tmp_path):
     """Y lo que no está en $LAB_RAIZ, con $LAB_SOLO_RAIZ, no se busca en el laboratorio."""
     for f in RAIZ.glob("c*/**/*.*"):
@@ -876,12 +874,6 @@ def quien(carpeta):
     return re.sub(r"_\d+_assign.*", "", carpeta)
 
 
-def la_hoja(clase):
-    """Con dos que no han entregado, y las filas en otro orden que las carpetas."""
-    son = [*sorted((c.name.split("_")[-4] for c in clase.iterdir()), reverse=True), 8, 9]
-    return una_hoja(COLUMNAS, fin="\n", comento="", son=[(n, f"Quien sea {n}") for n in son])
-
-
 @pytest.fixture(scope="module")
 def clase(tmp_path_factory):
     """La descarga de Moodle, en una carpeta, y al lado su hoja de calificaciones."""
@@ -903,10 +895,11 @@ def clase(tmp_path_factory):
     entregas["t_al_lado"] = {**al_lado, **no_son}
     for nombre, ficheros in entregas.items():
         siembra(sitio / de_moodle(nombre), ficheros)
-    enlace = sitio / de_moodle("k_enlace")
-    enlace.mkdir()
-    (enlace / "grua.cpp").symlink_to("/etc/passwd")
-    sitio.with_name("hoja.csv").write_text(la_hoja(sitio))
+    carpeta_de(sitio / de_moodle("k_enlace"), {"grua.cpp": Path("/etc/passwd")})
+    # con dos que no han entregado, y las filas en otro orden que las carpetas
+    son = [*sorted((c.name.split("_")[-4] for c in sitio.iterdir()), reverse=True), 8, 9]
+    hoja = una_hoja(COLUMNAS, fin="\n", comento="", son=[(n, f"Quien sea {n}") for n in son])
+    sitio.with_name("hoja.csv").write_text(hoja)
     return sitio
 
 

@@ -19,8 +19,7 @@ from base import catalogo, controles, defectos
 from base.marcas import TROZO
 from base.procesos import Fallo
 from ejercicios import comprueba, en_pagina, nuevo, perturba, propios, reglas
-from ejercicios.corrige import clase as de_clase
-from ejercicios.corrige import motivos, shaders, veredicto
+from ejercicios.corrige import clase as de_clase, motivos, shaders, veredicto
 from ejercicios.corrige.arbitro import Arbitro
 from ejercicios.corrige.banco import Banco
 from ejercicios.corrige.partidas import Guion, Partida
@@ -67,12 +66,10 @@ def test_uno_hecho_como_dice_el_documento(lab):
     clase = lab.sitio / "aqui/clase"
     solucion = FICHEROS["molinete.cpp"]
     shutil.copytree(lab.sitio / "mios/molinete", clase / "nada")
-    siembra(clase, {"todo/molinete.cpp": solucion})
-    dicen = {"nada": "se ve lo mismo que en el punto de partida", "todo": "todo bien"}
     _, texto, estropeado, _, _, dice = FICHEROS["errores.tsv"].splitlines()[2].split("\t")
     bien, mal = re.sub("[«»]", "", texto), re.sub("«.*»", lambda _: estropeado, texto)
-    siembra(clase, {"error/molinete.cpp": solucion.replace(bien, mal)})
-    dicen["error"] = f"parece que {dice}"
+    siembra(clase, {"todo/molinete.cpp": solucion, "error/molinete.cpp": solucion.replace(bien, mal)})
+    dicen = {"nada": "se ve lo mismo que en el punto de partida", "todo": "todo bien", "error": f"parece que {dice}"}
     dicho = lab(ORDENES[3], 1)
     for quien, dice in dicen.items():
         assert re.search(rf"\] {quien}: {'100' if quien == 'todo' else '[0-9.]+'}; .*{re.escape(dice)}", dicho), quien
@@ -361,13 +358,11 @@ def test_por_lo_que_no_hace_nada_no_se_pregunta():
 # --- lo que no es un ejercicio ----------------------------------------------------------------------------------
 
 
-SON = {"lab/ejercicios": "uno", "fuera": "uno dos tres grua Mal a;b mio", "otra": "dos tres cuatro"}
-
-
 def test_lo_que_no_es_un_ejercicio(tmp_path):
     raiz, build = (tmp_path / "lab").resolve(), tmp_path / "build"
     programas = [catalogo.Programa(catalogo.Capitulo("ch01_x", "X"), "grua", "E1.1", "Grúa")]
-    for carpeta in (f"{en}/{n}" for en, de in SON.items() for n in de.split()):
+    son = {"lab/ejercicios": "uno", "fuera": "uno dos tres grua Mal a;b mio", "otra": "dos tres cuatro"}
+    for carpeta in (f"{en}/{n}" for en, de in son.items() for n in de.split()):
         nombre = Path(carpeta).name
         siembra(tmp_path / carpeta, {f"{nombre}.cpp": "", **({"ejercicio.txt": ""} if nombre == "mio" else {})})
     (tmp_path / "fuera/vacia").mkdir()
@@ -405,13 +400,11 @@ def test_lo_que_no_es_un_ejercicio(tmp_path):
     assert busca("dos") == ""
 
 
-RAROS = "tecla +", "tecla -", "tecla Á", "tecla a", "←", "→", "a/b", "a b", "a b otro", "¿?"
-
-
 def test_cada_caso_tiene_su_imagen(tmp_path):
-    casos = "".join(f"{titulo}: tecla g\n" for titulo in RAROS)
+    raros = "tecla +", "tecla -", "tecla Á", "tecla a", "←", "→", "a/b", "a b", "a b otro", "¿?"
+    casos = "".join(f"{titulo}: tecla g\n" for titulo in raros)
     imagenes = [*map(nuevo.imagen_de, propios.propio(escribe(tmp_path / "molinete", casos_txt=casos)).casos)]
-    assert len({*imagenes}) == len(RAROS) and all(re.fullmatch(r"[a-z0-9]\w*\.png", i) for i in imagenes)
+    assert len({*imagenes}) == len(raros) and all(re.fullmatch(r"[a-z0-9]\w*\.png", i) for i in imagenes)
 
 
 def test_un_enunciado_en_la_pagina():

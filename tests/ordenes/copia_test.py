@@ -118,7 +118,6 @@ def test_un_catalogo_mal_escrito_se_dice(lab):
     for viejo, nuevo, dice in (
         ("3 tecla i; tecla d", "cuatro", "anima"),
         ('nombre = "shader_basico"', 'nombre = "Shader"', "Shader"),
-        ('mira = "Tres"', "", "mira"),
         ('titulo = "Tres"', 'titulo = "Tres', "catalogo.toml"),
         ('titulo = "Tres"', 'titulo = "Tres"\nmas = 1', "shader_basico: sobra «mas»: de cada programa se dice nombre"),
         ('"shader_basico"', '"primer_programa"', "ya hay otro «primer_programa»"),

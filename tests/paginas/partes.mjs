@@ -2,7 +2,6 @@
 // que le da web.py, con Node y sin navegador.
 import { File } from 'node:buffer'; // Node.js 18 no la da sin pedirla
 import assert from 'node:assert/strict';
-import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { haceZip, leeZip } from '../../herramientas/web/carpeta.mjs';
 import { leeCambios, leeResueltos, recuerdo, Taller } from '../../herramientas/web/almacen.mjs';
@@ -20,23 +19,14 @@ import { acorta, aparte, nota } from '../../herramientas/web/nota.mjs';
 import { ordenDeTecla } from '../../herramientas/web/teclas.mjs';
 import { corta, nombreLlano } from '../../herramientas/web/textos.mjs';
 import './cuadro.mjs';
-import './sucesos.mjs';
-import { dePython } from './navegador.mjs';
+import { CASOS, dePython, lee, PROGRAMAS } from './navegador.mjs';
+import { azar } from './sucesos.mjs';
 
-const [raiz, build] = process.argv.slice(2);
-const programas = JSON.parse(readFileSync(`${build}/catalogo.json`)).flatMap(capitulo => capitulo.programas);
-const casos = programas.flatMap(p => p.casos.map(c => ({ ...c, programa: p.nombre })));
 const ordenesDe = guion => leeGuion(guion).ordenes.map(o => o.orden);
 
 /// Lo que da `hace` con los argumentos de cada fila, que es lo que está al final de la fila.
 const tabla = (hace, ...filas) => {
   for (const fila of filas) assert.deepEqual(hace(...fila.slice(0, -1)), fila.at(-1), JSON.stringify(fila));
-};
-
-let semilla = 1;
-const azar = n => { // siempre los mismos
-  semilla = (semilla * 48271) % 2147483647;
-  return semilla % n;
 };
 
 test('lo que no se puede guardar se sabe', () => {
@@ -103,7 +93,7 @@ test('lo que da web.py', async () => {
   assert.deepEqual(datos.bezier.mandos[0].teclas, [['n', 'tecla n'], ['←', 'especial IZQUIERDA'],
     ['→', 'especial DERECHA'], ['↑', 'especial ARRIBA'], ['↓', 'especial ABAJO']]);
   assert.deepEqual(datos.convolucion.texturas, ['foto.rgb', 'letra.r8']);
-  for (const { programa, titulo, fichero, guion, mira } of casos.filter(c => datos[c.programa]))
+  for (const { programa, titulo, fichero, guion, mira } of CASOS.filter(c => datos[c.programa]))
     assert.deepEqual(datos[programa].casos.find(c => c.fichero === fichero),
       { titulo: titulo || 'Al empezar', fichero, guion, mira });
   assert.equal(casoInicial(datos.grua).titulo, 'En reposo');
@@ -112,8 +102,8 @@ test('lo que da web.py', async () => {
 });
 
 test('cada dirección es de su programa, y cada imagen, de su caso', () => {
-  const suyos = [{ nombre: 'sin_libro', referencia: '', casos: [] }, ...programas.map(({ nombre, ref }) =>
-    ({ nombre, referencia: ref, casos: casos.filter(c => c.programa === nombre) }))];
+  const suyos = [{ nombre: 'sin_libro', referencia: '', casos: [] }, ...PROGRAMAS.map(({ nombre, ref }) =>
+    ({ nombre, referencia: ref, casos: CASOS.filter(c => c.programa === nombre) }))];
   const lleva = (escrito, programa) => {
     for (const forma of [escrito, escrito.toUpperCase(), escrito.toLowerCase()])
       assert.equal(programaDe(forma, suyos), programa, forma);
@@ -134,7 +124,7 @@ test('cada dirección es de su programa, y cada imagen, de su caso', () => {
 const buscador = new Indice(indice), primeros = buscado => buscador.busca(buscado).slice(0, 3).map(h => h.enlace);
 
 test('lo que buscaría un estudiante', () => {
-  const filas = readFileSync(`${raiz}/tests/paginas/busquedas.tsv`, 'utf8').split('\n').filter(f => f && f[0] !== '#');
+  const filas = lee('tests/paginas/busquedas.tsv').split('\n').filter(f => f && f[0] !== '#');
   assert.ok(filas.length >= 20);
   for (const [buscado, ...salen] of filas.map(f => f.split('\t'))) {
     const hay = buscador.busca(buscado).slice(0, 6).map(h => h.enlace);
@@ -175,7 +165,7 @@ test('todo se encuentra: cada nombre, título, referencia, pie, tecla e identifi
         assert.equal(lo(buscado)?.enlace, enlace, buscado);
     }
     for (const ruta of fuentes) {
-      const codigo = readFileSync(`${raiz}/${ruta}`, 'utf8').replace(/"[^"\n]*"|\/\/.*|\/\*[^]*?\*\//g, ' ');
+      const codigo = lee(ruta).replace(/"[^"\n]*"|\/\/.*|\/\*[^]*?\*\//g, ' ');
       const suyos = codigo.match(/\b[A-Za-z_]\w{2,}/g), identificador = suyos[azar(suyos.length)];
       assert.ok(lo(identificador), `${identificador} de ${ruta}`);
     }
@@ -192,7 +182,7 @@ test('cómo se lee lo que se busca, y qué trozo se enseña', () => {
     ['Z-Buffer GL_CLAMP', 'z buffer gl_clamp']);
   assert.equal(llano('Inclinación'), 'inclinacion');
   const largo = 'a'.repeat(200) + ' cámara ' + 'b'.repeat(200);
-  for (const texto of [largo, 'la cámara', 'cámara ' + largo, 'nada', '']) {
+  for (const texto of [largo, 'Listado 5.1: la cámara', 'cámara ' + largo, 'nada', '']) {
     for (const buscado of ['CAMARA', 'Cámara', 'otra camara', 'x']) {
       const [antes, hallado, despues] = trozo(texto, buscado), todo = (antes + hallado + despues).replaceAll('…', '');
       assert.ok(texto.includes(todo) && todo.length <= 100, todo);
@@ -258,7 +248,7 @@ test('un guion se parte en órdenes que duran poco, con límites', () => {
   const largos = ['tecla d ×10000;tecla d', 'espera 0 ×10000;espera 0', ...muchas];
   for (const { ordenes, recortado } of largos.map(leeGuion)) assert.ok(recortado && ordenes.length === LIMITES.ordenes);
   assert.ok(ordenesDe('a'.repeat(1e6))[0].length <= LIMITES.letras + 1);
-  for (const { guion, fichero } of casos) {
+  for (const { guion, fichero } of CASOS) {
     const suyas = guion.split(';').filter(o => o.trim() && !/escala|espera/.test(o));
     const veces = suyas.reduce((n, o) => n + +(o.match(/×(\d+)/)?.[1] ?? 1), 0);
     assert.equal(leeGuion(guion).recortado, false, fichero);
@@ -299,7 +289,7 @@ test('lo hecho, para el enlace', () => {
 });
 
 test('cada tecla da una orden que el guion entiende', () => {
-  const guion = readFileSync(`${raiz}/glut/sin_ventana/guion.cpp`, 'utf8');
+  const guion = lee('glut/sin_ventana/guion.cpp');
   const entiende = nombre => {
     const [, cuerpo] = guion.match(new RegExp(`${nombre} = \\{(.*?)\\};`, 's'));
     return [...cuerpo.matchAll(/\{"(.*?)"/g)].map(m => m[1]);

@@ -41,7 +41,8 @@ pagina.querySelector = que => que === '.lienzo canvas' ? lienzo : que === '.lien
 pagina.createElement = () => new Elemento();
 const enVentana = new Elemento(); // lo que oye las teclas antes que nadie
 let semilla = 1;
-const azar = n => (semilla = semilla * 48271 % 2147483647) % n, elige = lista => lista[azar(lista.length)];
+export const azar = n => (semilla = semilla * 48271 % 2147483647) % n; // siempre los mismos
+const elige = lista => lista[azar(lista.length)];
 
 /// Con ese documento, los módulos, que al importarlos lo miran; el tiempo pasa con corre().
 const conPagina = hace => async () => {

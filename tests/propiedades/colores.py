@@ -31,14 +31,10 @@ EXCEPCIONES = {
 }
 
 
-def lineal(c):
-    return c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4
-
-
 def visto(color, matriz):
     """Ese color de sRGB como se ve, en CIELAB con el blanco D65."""
-    rgb = [lineal(c) for c in color]
-    r, g, b = (min(max(sum(m * c for m, c in zip(fila, rgb)), 0), 1) for fila in matriz)
+    lineal = [c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4 for c in color]
+    r, g, b = (min(max(sum(m * c for m, c in zip(fila, lineal)), 0), 1) for fila in matriz)
 
     def f(t):
         return t ** (1 / 3) if t > 216 / 24389 else (24389 / 27 * t + 16) / 116

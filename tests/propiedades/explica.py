@@ -164,8 +164,7 @@ def fallos_de_sombreado(explicado):
         yield f"se explica {gana} y gana {orden, primitiva}"
     if not sombreado:
         return
-    suyo = ("orden", "primitiva")
-    suceso = next(s for s in explicado["historia"] if all(s.get(c) == sombreado[c] for c in suyo))
+    suceso = next(s for s in explicado["historia"] if all(s.get(c) == sombreado[c] for c in ("orden", "primitiva")))
     fragmento = sombreado["fragmento"]
     if fragmento["motivo"] or any(v["motivo"] for v in sombreado["vertices"]):
         yield f"no se siguen sus shaders: {fragmento['motivo']}"

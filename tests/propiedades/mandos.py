@@ -143,11 +143,9 @@ def puntero(p):
     """F2 dice el píxel que hay bajo el puntero: dónde, como lo da el ratón, y su color en la imagen. Hasta que se mueve
     dice que hay que moverlo, y F3, que vigila."""
     mira = [orden for x, y in PIXELES for orden in (f"mueve {x} {y}", "captura")]
-    sin = p.vistas(mira)
-    con = p.vistas(["especial F2", *mira])
-    for (x, y), antes, vista in zip(PIXELES, sin, con):
-        debe = f"{x}, {y}\\n({', '.join(map(str, antes.filas[y][3 * x : 3 * x + 3]))})"
-        dice = [q.texto for q in vista.encima if q.tipo == "rotulo"][-1:]
+    for (x, y), sin, con in zip(PIXELES, p.vistas(mira), p.vistas(["especial F2", *mira])):
+        debe = f"{x}, {y}\\n({', '.join(map(str, sin.filas[y][3 * x : 3 * x + 3]))})"
+        dice = [q.texto for q in con.encima if q.tipo == "rotulo"][-1:]
         if dice != [debe]:
             yield "F2", f"F2 no dice «{debe}»: {dice}"
     for tecla, anuncia in ("F2", "mueve el ratón"), ("F3", "vigilo los shaders"):
