@@ -293,6 +293,7 @@ TEST(Multitextura, LaMezclaCalculadaEnLaCpu) {
     for (int tecla = 1; tecla <= 3; ++tecla)
         compruebaPared(gpu[tecla - 1].escena, x, tecla);
     compruebaPared(gpu[3].escena, {lee("madera", 256, 256), x[1], x[2], x[3]}, 3);
+    EXPECT_EQ(gpu[3].encima.rotulos("0 madera").size(), 1u);
 }
 
 } // namespace

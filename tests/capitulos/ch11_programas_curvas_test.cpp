@@ -182,7 +182,11 @@ TEST(BSpline, LosTramosYElPeine) {
         }
         compruebaCurvas(v.encima, AZUL, en, azules);
         compruebaCurvas(v.encima, ROJO, en, rojos);
-        Puntos hay;
+        Puntos hay, poligono(P);
+        poligono.resize(c.tramos == P.size() ? P.size() + 1 : P.size(), P[0]); // cerrada, vuelve a P0
+        for (glm::dvec2 &punto : poligono)
+            punto = en(punto);
+        compruebaTrazo(v.encima, poligono, glm::mix(GRIS, BLANCO, 0.4f));
         for (const Pintado &p : v.encima.trazos(VERDE, "segmentos"))
             hay.insert(hay.end(), p.puntos.begin(), p.puntos.end());
         ASSERT_EQ(hay.size(), puas.size());

@@ -191,7 +191,8 @@ TEST(Temporizador, DisparosDeCadaUno) {
         int disparos[3];
     } casos[] = {{"", 0, {0, 0, 0}},
                  {"espera 1100; tecla Espacio; espera 3330; tecla Espacio; espera 1400", 2.5, {10, 6, 2}},
-                 {"espera 1500", 4, {16, 10, 4}}};
+                 {"espera 1500", 4, {16, 10, 4}},
+                 {"tecla l; tecla o; espera 3000; tecla o; tecla l; espera 4000", 11, {42, 27, 11}}};
     const glm::vec3 colores[] = {ROJO, VERDE, AZUL};
     const int periodos[] = {250, 400, 1000};
     paraCada("temporizador", casos, 240, 180, [&](const auto &c, const Vista &v) {
@@ -201,7 +202,7 @@ TEST(Temporizador, DisparosDeCadaUno) {
             const Encima cuenta = v.encima.los(esRotulo);
             EXPECT_TRUE(cuenta.size() == 1 && cuenta[0].texto == std::to_string(c.disparos[i])) << i;
             std::vector<glm::dvec2> marcas;
-            for (int n = 1; n <= c.disparos[i]; ++n)
+            for (int n = 1; n * periodos[i] <= 1000 * c.t; ++n)
                 if (n * periodos[i] >= 1000 * desde)
                     marcas.push_back({120 + 90 * (-0.42 + 1.62 * (n * periodos[i] / 1000.0 - desde) / 3),
                                       90 + 90 * (0.6 - 0.55 * i)});

@@ -5,6 +5,7 @@ from vista import FORMAS
 
 LEJOS = 2000  # píxeles: más allá de cualquier tope
 PASO, PASOS = 4, 7  # píxeles, y cuántos, con que se vuelve de un tope
+CERCA = 12  # píxeles de lo pulsado a un extremo de lo que se pinta
 SALTO = 100  # de cada mil colores, los que cambian de más en un paso
 
 
@@ -46,6 +47,16 @@ def topes(p):
         cambian = [distintos(a, b) for a, b in zip([otra, *vistas], vistas)]
         if any(b > 3 * max(a, c) + SALTO for a, b, c in zip(cambian, cambian[1:], cambian[2:])):
             yield "salto", f"al volver poco a poco de donde lleva «{pasos[1]}» hay un salto: {cambian}"
+
+
+def pulsado(p):
+    """Si al pulsar aparece algo pintado encima, está donde se ha pulsado."""
+    for x, y in ((60, 9), (31, 70)) if {"raton", "arrastre"} & p.rasgos else ():
+        pulsa = [f"boton IZQUIERDO {como} {x} {y}" for como in ("abajo", "arriba")]
+        nada, vista = p.vistas(["captura", *pulsa, "captura"])
+        nuevos = [punto for pintado in vista.encima if pintado not in nada.encima for punto in pintado.puntos]
+        if nuevos and not any(abs(px - x) < CERCA and abs(90 - py - y) < CERCA for px, py in nuevos):
+            yield "sitio", f"pulsado en ({x}, {y}), lo que aparece está en {nuevos}"
 
 
 def cifras(p):

@@ -87,6 +87,10 @@ def limites(p):
                 yield hacia, f"el límite de «{hacia}» no es el de {GOLDEN.name}, sino «{suyo}»"
         if arriba.es_limite and abajo.es_limite and otra_vez_arriba != (arriba.alli, arriba.de_vuelta):
             yield mas, f"de un límite al otro de «{mas}» y «{menos}» no se llega donde se estaba"
+        un_rato = ["tecla Espacio", "espera 2900", "tecla Espacio"] if p.anima and "tecla Espacio" in p.teclas else []
+        filas = p.diario([*antes, *un_rato, *por_turno])[-5:] if un_rato else []
+        if filas and not se_deshacen(*(fila.se_ve() for fila in filas)):
+            yield mas, f"pasado un rato, de «{mas}» y «{menos}» una no deshace la otra"
 
 
 def comparacion(p):

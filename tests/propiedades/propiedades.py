@@ -16,7 +16,7 @@ from pathlib import Path
 from dados import dados
 from dicho import dicho
 from estropeados import estropeados
-from gestos import cifras, gestos, topes
+from gestos import cifras, gestos, pulsado, topes
 from mandos import comparacion, comunes, limites, mandos, nombres, raras, vuelta
 from programa import TALLA, Programa, Termina, arrastre
 from tiempo import conmuta, lento, pausa
@@ -104,8 +104,8 @@ def rondas(p):
 
 
 PROPIEDADES = paseo, nombres, raras, limites, comparacion, vuelta, tallas, franja, rotulos, tapan, cerca, arrastres
-PROPIEDADES += tocado, pausa, lento, conmuta, modelo, foto, rondas, comunes, mandos, cifras, gestos, topes, estropeados
-PROPIEDADES += dados, dicho  # dicho mira lo de los demás
+PROPIEDADES += tocado, pausa, lento, conmuta, modelo, foto, rondas, comunes, mandos, cifras, gestos, topes, pulsado
+PROPIEDADES += estropeados, dados, dicho  # dicho mira lo de los demás
 SORTEADA = tapan  # sin --todo se pide una parte, y una excepción puede no hacer falta
 
 # (programa, propiedad, en qué, expresión regular): por qué no
