@@ -10,20 +10,20 @@ from programa import APARTE, TALLA
 
 def estropeados(p):
     """Con F5, una vez y otra, se dice qué está mal, se sigue con los que había y no quedan objetos de más; y con F3 se
-    dice aunque lo que llega sea más antiguo. Lo que los estropea es una captura."""
+    dice aunque lo que llega sea más antiguo y de lo que incluye. Lo que los estropea es una captura."""
     if not p.shaders:
         return
-    for cada, que in (["especial F5"], "F5"), (["especial F3", "espera 600"], "F3"):
+    for cada, que, shaders in (["especial F5"], "F5", p.shaders), (["especial F3", "espera 600"], "F3", p.incluidos):
         with tempfile.TemporaryDirectory() as carpeta:
             ejecutable = Path(carpeta, "bin", p.nombre)  # quien no usa common/ los busca al lado de su carpeta
             ejecutable.parent.mkdir()
             ejecutable.symlink_to(p.ejecutable)
-            for shader in p.shaders:
+            for shader in shaders:
                 suyo = Path(carpeta, shader)
-                suyo.parent.mkdir(exist_ok=True)
+                suyo.parent.mkdir(parents=True, exist_ok=True)
                 shutil.copy(p.raiz / shader, suyo)
                 os.utime(suyo, (1 << 32, 1 << 32))  # del futuro
-            guion = "; ".join([cada[0], *(f"captura {carpeta}/{shader}" for shader in p.shaders), *2 * cada[-1:]])
+            guion = "; ".join([cada[0], *(f"captura {carpeta}/{shader}" for shader in shaders), *2 * cada[-1:]])
             orden = [ejecutable, "-geometry", TALLA, "-ppm", "/dev/null", "-diario", "-guion", guion]
             r = subprocess.run(orden, env=os.environ | {"LAB_RAIZ": carpeta}, errors="replace", **APARTE)
         if r.returncode or not r.stderr:

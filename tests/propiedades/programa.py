@@ -88,8 +88,10 @@ class Programa:
         suyas = {o for c in self.controles for o in c.ordenes}
         self.ajenas = [] if self.cualquiera else [o for o in SIN_NOMBRE if o not in suyas]
         finitos = build / "tests/libfinitos.so"
-        reales = [f for f in fuentes.alcanza(raiz, programa.fuente) if f.suffix in fuentes.SHADERS[:2]]
+        todos = [f for f in fuentes.alcanza(raiz, programa.fuente) if f.suffix in fuentes.SHADERS]
+        reales = [f for f in todos if f.suffix in fuentes.SHADERS[:2]]
         self.raiz, self.shaders = raiz, [f for f in reales if f.suffix == ".frag"] or reales
+        self.incluidos = [f for f in todos if f not in reales] or self.shaders
         self.finitos = {"LD_PRELOAD": str(finitos)} if finitos.exists() else {}
         self.previas = {}  # lo que ha dado antes_de
         self.hechas = set()  # las órdenes que en algún diario han hecho algo
