@@ -127,6 +127,9 @@ TEST(Cubemap, Desplegado) {
         const Hueco h{480 + lado * (f.columna - 2), 18 + lado * f.fila, lado - 1, lado - 1};
         comprueba(f.nombre, recorta(gpu, h), fotoDePrueba(f, lado - 1), {3});
     }
+    const Pintado mira = vistaDe("cubemap", "tecla e; tecla c", 240, 180).encima.trazos(ROJO, "puntos").at(0);
+    const glm::dvec2 uv = (mira.punto(0) - glm::dvec2(mira.panel)) / glm::dvec2(mira.panel.z, mira.panel.w);
+    EXPECT_LT(glm::distance(uv, 0.5 - glm::dvec2(0.35 / 2, 0.06) / glm::pi<double>()), 1e-3);
 }
 
 // La ecuación 8.1 no es la tabla de OpenGL: con x positiva intercambia las dos coordenadas y les da la vuelta, un
