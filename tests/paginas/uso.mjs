@@ -47,9 +47,9 @@ const entradas = {
     await p.es('grua-orbitada');
     await p.pagina.mouse.move(...await p.punto(100, 90));
     await p.pagina.mouse.down();
-    await p.pagina.mouse.move(...await p.punto(-40, 90), { steps: 4 });
+    await p.pagina.mouse.move(...await p.punto(-30, 90), { steps: 4 });
     await p.pagina.mouse.up();
-    await p.acaba('soltado fuera, se suelta', () => hecho.ordenes.at(-1) === 'boton IZQUIERDO arriba -40 90');
+    await p.acaba('soltado fuera, se suelta', () => hecho.ordenes.at(-1) === 'boton IZQUIERDO arriba -30 90');
     await p.talla(1280, 900, 2); // de una pantalla densa, sus píxeles
     await p.abre('#grua');
     await p.pagina.mouse.click(...await p.punto(100, 90));
