@@ -34,7 +34,7 @@ TEST(Guion, LaEscalaLlevaElRatonALoMismo) {
         Punto raton;
     } casos[] = {
         {"escala 240 180; mueve 121 89", {960, 720}, {484, 356}},
-        {"escala 240 180; mueve 121 89", {1000, 720}, {504, 356}}, // más ancha: se ve más por los lados
+        {"escala 240 180; mueve 121 89", {1600, 720}, {804, 356}}, // más ancha: se ve más por los lados
         {"escala 240 180; mueve 121 89", {960, 1080}, {484, 536}}, // más estrecha: por arriba y por abajo
         {"escala 960 720; mueve 482 361", {240, 180}, {121, 90}},  // 120.5 y 90.25, al píxel
         {"escala 1 1; mueve 100000 -100000", {16384, 16384}, {100000, -100000}},
