@@ -118,7 +118,7 @@ TEST(Cubemap, PorVerticeYPorFragmento) {
     }
 }
 
-// El mapa desplegado: en cada casilla, su foto, derecha.
+// El mapa desplegado: en cada casilla, su foto, derecha; y en el esférico, el punto, donde mira la cámara.
 TEST(Cubemap, Desplegado) {
     const FotosDePrueba fotos;
     const int lado = 228; // con una raya entre cada dos casillas
@@ -129,7 +129,7 @@ TEST(Cubemap, Desplegado) {
     }
     const Pintado mira = vistaDe("cubemap", "tecla e; tecla c", 240, 180).encima.trazos(ROJO, "puntos").at(0);
     const glm::dvec2 uv = (mira.punto(0) - glm::dvec2(mira.panel)) / glm::dvec2(mira.panel.z, mira.panel.w);
-    EXPECT_LT(glm::distance(uv, 0.5 - glm::dvec2(0.35 / 2, 0.06) / glm::pi<double>()), 1e-3);
+    EXPECT_LT(glm::distance(uv, 0.5 - glm::dvec2(0.35 / 2, 0.06) / glm::pi<double>()), 1e-3) << "mira";
 }
 
 // La ecuación 8.1 no es la tabla de OpenGL: con x positiva intercambia las dos coordenadas y les da la vuelta, un

@@ -12,8 +12,8 @@ const REFERENCIAS = new Set(PROGRAMAS.flatMap(p => p.ref.split(' ').filter(Boole
 const DIRECCIONES = [...CAPITULOS, ...PROGRAMAS].map(e => e.nombre)
   .concat(...REFERENCIAS, CASOS.map(c => c.fichero));
 const aMano = (d, i) => /^ch\d/.test(d) ? ['', 'cap', 'ch'][i % 3] + +d.slice(2, 4) : i % 9 ? d : d.toLowerCase();
+const primeroCon = referencia => PROGRAMAS.find(p => p.ref.split(' ').includes(referencia))?.nombre;
 
-const deReferencia = d => PROGRAMAS.find(q => q.ref.split(' ').includes(d))?.nombre; // el primero
 /// La imagen de ese caso, en grande.
 const amplia = (p, id) => p.da(id => {
   const figura = document.getElementById(id);
@@ -173,7 +173,7 @@ const enLosDos = {
           if (!bien) mal.push([escrita, r?.top, senalado]);
         }
         return mal;
-      }, pedidas.map((d, i) => [d, aMano(d, i), deReferencia(d)])), [], ancho);
+      }, pedidas.map((d, i) => [d, aMano(d, i), primeroCon(d)])), [], ancho);
     }
     for (const nada of ['no_esta', 'L99.1', '%', 'a'.repeat(1000)]) {
       await p.va('#' + nada);

@@ -55,7 +55,7 @@ def pulsado(p):
         pulsa = [f"boton IZQUIERDO {como} {x} {y}" for como in ("abajo", "arriba")]
         nada, vista = p.vistas(["captura", *pulsa, "captura"])
         nuevos = [punto for pintado in vista.encima if pintado not in nada.encima for punto in pintado.puntos]
-        if nuevos and not any(abs(px - x) < CERCA and abs(90 - py - y) < CERCA for px, py in nuevos):
+        if nuevos and not any(abs(px - x) < CERCA and abs(vista.talla[1] - py - y) < CERCA for px, py in nuevos):
             yield "sitio", f"pulsado en ({x}, {y}), lo que aparece está en {nuevos}"
 
 
