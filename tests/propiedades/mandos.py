@@ -64,7 +64,7 @@ class Extremo(NamedTuple):
 
 
 def limites(p):
-    """De dos teclas contrarias una deshace la otra, y pasado un rato. O dan la vuelta o hay un límite: se deja de contar."""
+    """De dos teclas contrarias una deshace la otra, y pasado un rato. O dan la vuelta o llegan a un límite."""
     for c in p.controles:
         if set(c.teclas) not in CONTRARIAS or c.termina or None in map(p.antes_de, c.ordenes):
             continue
